@@ -1,0 +1,37 @@
+# How everything of ours is compiled: one interface target that all our targets use.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+    set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+find_program(MOLD mold)
+if(MOLD)
+    add_link_options(-fuse-ld=mold)
+endif()
+
+option(LANCER_WERROR "Treat warnings as errors" OFF)
+set(LANCER_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize=")
+
+add_library(lancer_compile INTERFACE)
+target_compile_options(lancer_compile INTERFACE
+    -Wall -Wextra -Wshadow -Wdouble-promotion -Wsign-conversion -Wfloat-conversion -Wnon-virtual-dtor -Woverloaded-virtual
+    # The same bits everywhere: no fused multiply-add that the source does not spell.
+    -ffp-contract=off
+    # Neither changes a result: sqrt does not set errno, and nobody reads the floating-point exception flags.
+    -fno-math-errno -fno-trapping-math)
+if(LANCER_WERROR)
+    target_compile_options(lancer_compile INTERFACE -Werror)
+endif()
+if(LANCER_SANITIZE)
+    add_compile_options(-fsanitize=${LANCER_SANITIZE} -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=${LANCER_SANITIZE})
+endif()

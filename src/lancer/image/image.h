@@ -1,0 +1,38 @@
+// Pixels on the way to and from files.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lancer {
+
+// Linear floats, row-major, top row first, channels interleaved.
+struct Image {
+    int width = 0;
+    int height = 0;
+    int channels = 3;  // 1 grey, 2 grey + alpha, 3 RGB, 4 RGBA
+    std::vector<float> pixels;
+};
+
+// Facts written into the file: "Software", "lancer:command", "lancer:scene", "lancer:hash", ...
+using Metadata = std::map<std::string, std::string>;
+
+// File endings that can be written, with the dot: ".png", ".jpg", ".jpeg", ".exr", ".hdr", ".tif", ".tiff".
+const std::vector<std::string>& writable_endings();
+
+// Writes beside the target and renames, so that nobody reads half a file. EXR, HDR and TIFF hold linear floats; PNG and JPEG are encoded as
+// sRGB, clipped to [0, 1]. Throws MachineFailure with the path and the reason.
+void write_image(const std::string& path, const Image& image, const Metadata& metadata);
+
+// How colours are stored in the file that is read.
+enum class Encoding { automatic, linear, srgb };  // automatic: 8- and 16-bit integers are sRGB, floats linear
+
+// Reads any format that OpenImageIO knows. Throws std::runtime_error with a sentence when the file is missing, broken or too large.
+Image read_image(const std::string& path, Encoding encoding = Encoding::automatic);
+
+// The sRGB transfer curve [IEC 61966-2-1], both ways, for one value.
+float srgb_encode(float linear);
+float srgb_decode(float encoded);
+
+}  // namespace lancer

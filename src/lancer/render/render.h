@@ -1,0 +1,60 @@
+// Which work next: cuts the picture into tiles, has a device follow their samples on all threads, and keeps count.
+// The same settings give the same bytes whatever the number of threads and the order of the tiles.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "lancer/device/device.h"
+#include "lancer/film/film.h"
+
+namespace lancer {
+
+struct RenderOptions {
+    int width = 1280;
+    int height = 720;
+    int threads = 0;                   // 0: as many as the machine has, one where that can't be known
+    int ssaa = 1;                      // ssaa x ssaa samples a pixel on a regular grid
+    bool adaptive = false;             // instead of ssaa: subdivide where neighbours differ
+    double adaptive_threshold = 0.05;  // difference of display values in [0, 1] that makes a cell be cut in four
+    int adaptive_depth = 3;            // how often at most
+    double exposure = 0.0;             // stops; the comparison is made after it
+};
+
+struct Tile {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // pixels, the last ones excluded
+};
+
+// What a render tells while it runs. Called from worker threads, one call at a time.
+struct RenderProgress {
+    std::int64_t pixels_done = 0;
+    std::int64_t pixels_total = 0;
+    double seconds = 0.0;       // since the start
+    double seconds_left = 0.0;  // estimated
+};
+
+struct RenderStatistics {
+    RayCounts rays;
+    std::uint64_t samples = 0;  // camera samples
+    double seconds = 0.0;
+    int threads = 0;
+    bool finished = false;  // false when cancelled
+};
+
+class RenderObserver {
+public:
+    virtual ~RenderObserver() = default;
+    // The tile's pixels are final and stand in `film`; other pixels may be in the making.
+    virtual void tile_done(const Film& film, const Tile& tile, const RenderProgress& progress) = 0;
+};
+
+// Renders into `film`, which has the options' size. Stops soon after `cancel` becomes true. `observer` may be null.
+RenderStatistics render(const Device& device, const RenderOptions& options, Film& film, RenderObserver* observer = nullptr,
+                        const std::atomic<bool>* cancel = nullptr);
+
+// The machine's hardware threads, at least 1.
+int hardware_threads();
+
+}  // namespace lancer

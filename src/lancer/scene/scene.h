@@ -1,0 +1,246 @@
+// What the author of a scene wrote, as plain structs: names, units, source positions. Nothing here knows a file format or a ray.
+//
+// Units: metres for lengths, degrees for angles as written. Colours are linear RGB with sRGB (Rec. 709) primaries and a D65 white.
+// The space is right-handed; +y is up by default.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "lancer/base/diagnostic.h"
+
+namespace lancer::scene {
+
+using Rgb = glm::dvec3;  // linear
+
+// ---- Textures -------------------------------------------------------------------------------------------------------------------
+
+// Two colours alternating in cells of `size`: metres in object space when `solid`, units of uv otherwise.
+struct Checker {
+    Rgb first{1.0};
+    Rgb second{0.0};
+    double size = 1.0;
+    bool solid = true;
+};
+
+enum class Wrap { repeat, clamp, mirror };
+enum class Filter { nearest, bilinear };
+
+// A picture laid over the surface's uv coordinates; (0, 0) is its lower left corner.
+struct ImageTexture {
+    std::string file;  // resolved against the scene file's folder
+    Wrap wrap = Wrap::repeat;
+    Filter filter = Filter::bilinear;
+    bool linear = false;  // false: colours are decoded from sRGB
+    glm::dvec2 scale{1.0};
+    glm::dvec2 offset{0.0};
+    SourcePosition position;
+};
+
+using Texture = std::variant<Rgb, Checker, ImageTexture>;
+
+// ---- Refraction -----------------------------------------------------------------------------------------------------------------
+
+// n = refractive index at the d line (587.56 nm), V = Abbe number.
+struct AbbeGlass {
+    double index = 1.5;
+    double abbe_number = 60.0;
+};
+
+// n^2 = 1 + sum B_i L^2 / (L^2 - C_i), L in micrometres, C_i in square micrometres [Sellmeier 1871].
+struct SellmeierGlass {
+    glm::dvec3 b{0.0};
+    glm::dvec3 c{0.0};
+};
+
+struct NamedGlass {
+    std::string name;  // a name that spectrum/glass.h knows
+};
+
+// A plain number is the same index at every wavelength.
+using Refraction = std::variant<double, AbbeGlass, SellmeierGlass, NamedGlass>;
+
+// ---- Materials ------------------------------------------------------------------------------------------------------------------
+
+// The report's material, with transparency added [Whitted 1980]. All weights are shares in [0, 1].
+struct WhittedMaterial {
+    Texture color = Rgb{0.8};
+    double ambient = 0.1;
+    double diffuse = 0.9;
+    double highlight = 0.3;
+    double shininess = 50.0;  // exponent of the highlight
+    double reflectivity = 0.0;
+    double transparency = 0.0;
+    Refraction refraction = 1.5;
+    Rgb absorption{0.0};  // inside a transparent body, per metre
+};
+
+struct Material {
+    std::string name;  // empty when written in place
+    std::variant<WhittedMaterial> model;
+    SourcePosition position;
+};
+
+// ---- Shapes, each in its own object space -----------------------------------------------------------------------------------------
+
+struct Sphere {
+    glm::dvec3 center{0.0};
+    double radius = 1.0;
+};
+
+struct Box {
+    glm::dvec3 min{-0.5};
+    glm::dvec3 max{0.5};
+};
+
+struct Plane {  // infinite
+    glm::dvec3 point{0.0};
+    glm::dvec3 normal{0.0, 1.0, 0.0};
+};
+
+struct Disk {
+    glm::dvec3 center{0.0};
+    glm::dvec3 normal{0.0, 1.0, 0.0};
+    double radius = 1.0;
+};
+
+struct Cylinder {
+    glm::dvec3 from{0.0};
+    glm::dvec3 to{0.0, 1.0, 0.0};
+    double radius = 0.5;
+    bool capped = true;
+};
+
+struct Cone {  // a cone, or a truncated one when `top_radius` is not 0
+    glm::dvec3 from{0.0};
+    glm::dvec3 to{0.0, 1.0, 0.0};
+    double radius = 0.5;      // at `from`
+    double top_radius = 0.0;  // at `to`
+    bool capped = true;
+};
+
+// Triangles, counter-clockwise seen from outside. `normals` and `uvs` are empty or as long as `positions`.
+struct TriangleMesh {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec2> uvs;
+    std::vector<glm::uvec3> triangles;
+};
+
+// The data of a mesh is shared by all its placements.
+struct Mesh {
+    std::shared_ptr<const TriangleMesh> data;
+    bool smooth = true;  // use the vertex normals where there are any
+};
+
+using Shape = std::variant<Sphere, Box, Plane, Disk, Cylinder, Cone, Mesh>;
+
+struct Object {
+    std::string name;
+    Shape shape;
+    int material = 0;  // index into Scene::materials
+    glm::dmat4 to_parent{1.0};
+    SourcePosition position;
+};
+
+// ---- Groups ---------------------------------------------------------------------------------------------------------------------
+
+struct Placement {
+    int group = 0;  // index into Scene::groups; smaller than the index of the group that contains this placement
+    glm::dmat4 to_parent{1.0};
+    std::optional<int> material;  // replaces the materials of everything placed
+    SourcePosition position;
+};
+
+struct Group {
+    std::string name;
+    std::vector<Object> objects;
+    std::vector<Placement> placements;
+};
+
+// ---- Lights ---------------------------------------------------------------------------------------------------------------------
+
+struct PointLight {
+    glm::dvec3 position{0.0};
+};
+
+struct SpotLight {
+    glm::dvec3 position{0.0};
+    glm::dvec3 direction{0.0, -1.0, 0.0};
+    double angle = 30.0;    // degrees from the axis to where the light ends
+    double falloff = 5.0;   // degrees over which it fades, measured inwards from `angle`
+};
+
+struct DirectionalLight {
+    glm::dvec3 direction{0.0, -1.0, 0.0};  // the way the light travels
+};
+
+struct Light {
+    std::string name;
+    std::variant<PointLight, SpotLight, DirectionalLight> model;
+    Rgb color{1.0};
+    double intensity = 1.0;  // in Whitted scenes its share of the light; the shares sum to 1
+    SourcePosition position;
+};
+
+// A vertical gradient seen by rays that leave the scene; both equal for a plain colour.
+struct Background {
+    Rgb zenith{0.0};
+    Rgb horizon{0.0};
+    Rgb nadir{0.0};
+};
+
+// ---- Camera -----------------------------------------------------------------------------------------------------------------------
+
+enum class FovAxis { width, height };
+
+struct Camera {
+    std::string name;  // empty for the unnamed one, which comes first
+    glm::dvec3 position{0.0, 0.0, 5.0};
+    glm::dvec3 direction{0.0, 0.0, -1.0};  // need not have length 1
+    glm::dvec3 up{0.0, 1.0, 0.0};
+    double fov = 60.0;  // degrees, between the two edges of the picture along `fov_axis`
+    FovAxis fov_axis = FovAxis::width;
+    SourcePosition source;
+};
+
+// ---- How to render it -------------------------------------------------------------------------------------------------------------
+
+enum class Antialiasing { uniform, adaptive };
+
+struct RenderSettings {
+    int width = 1280;
+    int height = 720;
+    std::string integrator = "whitted";
+    int bounces = 5;  // reflections and refractions after the first hit
+    int ssaa = 1;     // k x k samples a pixel
+    Antialiasing antialiasing = Antialiasing::uniform;
+    double adaptive_threshold = 0.05;  // difference of display values in [0, 1] that makes a cell be cut in four
+    int adaptive_depth = 3;            // how often at most
+    int wavelengths = 48;              // that carry a path through dispersive glass
+    double exposure = 0.0;             // stops
+};
+
+struct Scene {
+    std::string file;  // as named by the user
+    std::string hash;  // hexadecimal, over the scene file and everything it reads
+    std::vector<Camera> cameras;  // at least one
+    std::vector<Material> materials;
+    std::vector<Group> groups;  // a group comes after every group it places
+    std::vector<Object> objects;
+    std::vector<Placement> placements;
+    std::vector<Light> lights;
+    Background background;
+    Rgb ambient{1.0};  // light that reaches every point, times each material's `ambient`
+    RenderSettings settings;
+};
+
+}  // namespace lancer::scene
