@@ -28,10 +28,22 @@ target_compile_options(lancer_compile INTERFACE
     -ffp-contract=off
     # Neither changes a result: sqrt does not set errno, and nobody reads the floating-point exception flags.
     -fno-math-errno -fno-trapping-math)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+    set(LANCER_X86_64 ON)
+    # What every x86-64 machine since 2009 runs. Sources with a variant for each instruction set choose for themselves.
+    target_compile_options(lancer_compile INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:LANCER_ISA>>>:-march=x86-64-v2>)
+endif()
 if(LANCER_WERROR)
     target_compile_options(lancer_compile INTERFACE -Werror)
 endif()
+if(LANCER_FUZZ)
+    if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
+        message(FATAL_ERROR "LANCER_FUZZ needs clang: libFuzzer is a part of it (use the preset fuzz)")
+    endif()
+    add_compile_options(-fsanitize=fuzzer-no-link)
+    set(LANCER_SANITIZE "address,undefined")
+endif()
 if(LANCER_SANITIZE)
-    add_compile_options(-fsanitize=${LANCER_SANITIZE} -fno-omit-frame-pointer)
+    add_compile_options(-fsanitize=${LANCER_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${LANCER_SANITIZE})
 endif()

@@ -1,15 +1,7 @@
 # Everything that is not ours. What is optional says so when it is missing.
-find_package(PkgConfig REQUIRED)
-find_package(Threads REQUIRED)
-find_package(embree 3 REQUIRED)
-find_package(TBB REQUIRED)
-find_package(fmt REQUIRED)
-find_package(glm REQUIRED)
+include(LibraryDependencies)
+
+# For the program alone.
 find_package(CLI11 REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(PNG REQUIRED)
 find_package(SDL2 REQUIRED)
-find_package(xsimd REQUIRED)
-pkg_check_modules(TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
-pkg_check_modules(TINYOBJLOADER REQUIRED IMPORTED_TARGET tinyobjloader)
 pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO)  # its CMake files ask for tools that libopenimageio-dev lacks
