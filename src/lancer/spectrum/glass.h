@@ -17,7 +17,7 @@ struct Sellmeier {
     double index(double wavelength_nm) const;
 };
 
-// By catalogue name ("N-BK7", "SF11", "water", "diamond", ...), letter case ignored.
+// By catalogue name ("N-BK7", "SF11", "water", "diamond", ...); letter case, spaces and hyphens make no difference. In air, 20 C.
 std::optional<Sellmeier> find_glass(std::string_view name);
 std::vector<std::string> glass_names();
 
