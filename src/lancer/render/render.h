@@ -9,6 +9,7 @@
 
 #include "lancer/device/device.h"
 #include "lancer/film/film.h"
+#include "lancer/render/tiles.h"
 
 namespace lancer {
 
@@ -21,11 +22,12 @@ struct RenderOptions {
     double adaptive_threshold = 0.05;  // difference of display values in [0, 1] that makes a cell be cut in four
     int adaptive_depth = 3;            // how often at most
     double exposure = 0.0;             // stops; the comparison is made after it
+    std::uint32_t shuffle = 0;         // 0: tiles row by row; otherwise the seed of another order. The picture is the same
 };
 
-struct Tile {
-    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // pixels, the last ones excluded
-};
+constexpr int max_ssaa = 64;
+constexpr int max_adaptive_depth = 8;
+constexpr int max_threads = 1024;
 
 // What a render tells while it runs. Called from worker threads, one call at a time.
 struct RenderProgress {
@@ -41,6 +43,11 @@ struct RenderStatistics {
     double seconds = 0.0;
     int threads = 0;
     bool finished = false;  // false when cancelled
+
+    // Pixels with a NaN or infinite channel: something is wrong with the scene or with us. `bad_x`, `bad_y`: the first of them, row by row.
+    std::uint64_t bad_pixels = 0;
+    int bad_x = -1;
+    int bad_y = -1;
 };
 
 class RenderObserver {
@@ -50,7 +57,8 @@ public:
     virtual void tile_done(const Film& film, const Tile& tile, const RenderProgress& progress) = 0;
 };
 
-// Renders into `film`, which has the options' size. Stops soon after `cancel` becomes true. `observer` may be null.
+// Renders into `film`, which has the options' size. Stops soon after `cancel` becomes true: the tiles that are done stay in the film.
+// `observer` may be null. The options must be in range (ssaa, depth and threads up to the limits above, sizes at least 1).
 RenderStatistics render(const Device& device, const RenderOptions& options, Film& film, RenderObserver* observer = nullptr,
                         const std::atomic<bool>* cancel = nullptr);
 
