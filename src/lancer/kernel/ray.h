@@ -1,0 +1,57 @@
+// Rays, what they hit, and how the next ray leaves a surface without hitting it again.
+#ifndef LANCER_KERNEL_RAY_H
+#define LANCER_KERNEL_RAY_H
+
+#include "lancer/kernel/math.h"
+
+NAMESPACE_BEGIN
+
+// Points origin + t * direction with 0 < t < reach. World-space directions have length 1.
+struct Ray {
+    Vec3 origin;
+    Vec3 direction;
+    Float reach;
+};
+
+// What stands first in the way: `t` is the ray's reach where nothing does, `object` -1 then. `part` is the triangle of a mesh, with
+// barycentric coordinates u (of its second corner) and v (of its third).
+struct Hit {
+    Float t;
+    Int object;
+    Int part;
+    Float u;
+    Float v;
+};
+
+// The geometry of the point that was hit, in world space.
+struct SurfacePoint {
+    Vec3 position;
+    Vec3 error;      // bound of the rounding error of `position`, each coordinate
+    Vec3 normal;     // of the surface itself, outwards, length 1
+    Vec3 shading;    // smooth normal, on the side of `normal`, length 1
+    Vec3 local;      // position in object space, for solid textures
+    Vec2 uv;
+};
+
+// 1 / direction with every zero made positive and every reciprocal finite, so that no slab test makes a NaN. A ray that lies in a face plane
+// is then inside on the low face and outside on the high one, for +0 and for -0: boxes are half open.
+FN Vec3 slab_reciprocal(Vec3 d) {
+    Vec3 safe = vec3_of(select(abs(d.x) < Float(SMALLEST), Float(SMALLEST), d.x), select(abs(d.y) < Float(SMALLEST), Float(SMALLEST), d.y),
+                        select(abs(d.z) < Float(SMALLEST), Float(SMALLEST), d.z));
+    return reciprocal(safe);
+}
+
+// Where a ray towards `direction` starts so that the rounding of `position` can't put it on the wrong side: moved along the normal by the
+// position's own error bound, plus the rounding of this very addition. [Pharr, Jakob, Humphreys 2016, 3.9; differs: the bound includes the
+// last rounding instead of stepping to the next float.]
+FN Vec3 leave_surface(Vec3 position, Vec3 error, Vec3 normal, Vec3 direction) {
+    Vec3 bound = error + abs(position) * Float(2.0f * ROUNDING);
+    Float distance = dot(abs(normal), bound);
+    return position + normal * select(dot(normal, direction) < Float(0.0f), -distance, distance);
+}
+
+FN Vec3 mirror(Vec3 v, Vec3 n) { return n * (Float(2.0f) * dot(v, n)) - v; }  // the report's R = 2 (V.N) N - V
+
+NAMESPACE_END
+
+#endif

@@ -1,0 +1,223 @@
+// The tables that the kernel reads: plain structs of floats and ints, the same bytes in C++ and in GLSL (scalar block layout).
+// world/ writes them, nobody changes them afterwards. Lengths in metres, world space unless a name says otherwise.
+#ifndef LANCER_KERNEL_RECORDS_H
+#define LANCER_KERNEL_RECORDS_H
+
+#include "lancer/kernel/language.h"
+
+RECORDS_BEGIN
+
+// ---- Objects. Each kind has its table; objects are numbered through all tables in the order of the kinds. ---------------------------
+
+const int OBJECT_SPHERE = 0;          // spheres[i], in world space
+const int OBJECT_BOX = 1;             // boxes[i], axis-aligned in world space
+const int OBJECT_PLANE = 2;           // planes[i]
+const int OBJECT_PLACED_SPHERE = 3;   // placed[i]: unit sphere at the origin
+const int OBJECT_PLACED_BOX = 4;      // placed[i]: the cube from -1 to 1
+const int OBJECT_PLACED_DISK = 5;     // placed[i]: unit disk in y = 0, facing +y
+const int OBJECT_PLACED_CONE = 6;     // placed[i]: around the y axis from y = 0 (radius bottom) to y = 1 (radius top), maybe capped
+const int OBJECT_TRIANGLE = 7;        // triangles[i], of small meshes, in world space
+const int OBJECT_MESH = 8;            // instances[i]
+
+struct SphereRecord {
+    vec3 center;
+    float radius;
+};
+
+struct BoxRecord {
+    vec3 low;
+    vec3 high;
+};
+
+// Points p with dot(p, normal) = offset; normal has length 1.
+struct PlaneRecord {
+    vec3 normal;
+    float offset;
+};
+
+// An affine map by its rows: (x, y, z) -> row_i . (x, y, z) + shift_i.
+struct AffineRecord {
+    vec3 row_x;
+    vec3 row_y;
+    vec3 row_z;
+    vec3 shift;
+};
+
+// A canonical shape in its own space. The author wrote it in yet another one, where solid textures live.
+struct PlacedRecord {
+    AffineRecord to_object;
+    AffineRecord to_world;
+    AffineRecord to_author;
+    float bottom_radius;
+    float top_radius;
+    int capped;
+};
+
+struct TriangleRecord {
+    vec3 a;
+    vec3 b;
+    vec3 c;
+};
+
+// Vertices of all meshes stand one after another; `flags` says which of normals and uvs the mesh has.
+struct MeshRecord {
+    int first_vertex;
+    int first_triangle;
+    int triangle_count;
+    int flags;
+};
+const int MESH_HAS_NORMALS = 1;
+const int MESH_HAS_UVS = 2;
+
+struct InstanceRecord {
+    AffineRecord to_world;
+    AffineRecord to_object;
+    int mesh;
+    int flips;  // 1 when the map turns the triangles' winding round
+};
+
+struct ObjectRecord {
+    int kind;
+    int index;     // into the table of its kind
+    int material;
+    int mesh;      // OBJECT_TRIANGLE: the mesh it comes from, and its number there in `sub`; else 0
+    int instance;  // OBJECT_TRIANGLE: the instance it comes from
+    int sub;
+};
+
+// ---- Materials ------------------------------------------------------------------------------------------------------------------
+
+const int TEXTURE_NONE = 0;
+const int TEXTURE_CHECKER_SOLID = 1;
+const int TEXTURE_CHECKER_UV = 2;
+const int TEXTURE_IMAGE = 3;
+
+const int WRAP_REPEAT = 0;
+const int WRAP_CLAMP = 1;
+const int WRAP_MIRROR = 2;
+
+const int REFRACTION_CAUCHY = 0;     // n = a[0] + a[1] / nm^2; a constant index has a[1] = 0
+const int REFRACTION_SELLMEIER = 1;  // a = B1 B2 B3, b = C1 C2 C3 in square micrometres
+
+struct TextureRecord {
+    int kind;
+    vec3 first;
+    vec3 second;
+    float size;
+    int first_texel;  // into texels: rows from the top
+    int width;
+    int height;
+    int wrap;
+    int nearest;
+    vec2 scale;
+    vec2 offset;
+};
+
+struct WhittedRecord {
+    vec3 color;
+    int texture;  // -1: none
+    float ambient;
+    float diffuse;
+    float highlight;
+    float shininess;
+    float reflectivity;
+    float transparency;
+    int refraction;
+    int dispersive;
+    vec3 refraction_a;
+    vec3 refraction_b;
+    vec3 absorption;
+};
+
+// ---- Lights, camera, surroundings -------------------------------------------------------------------------------------------------
+
+const int LIGHT_POINT = 0;
+const int LIGHT_SPOT = 1;
+const int LIGHT_DIRECTIONAL = 2;
+
+struct LightRecord {
+    int kind;
+    vec3 position;
+    vec3 direction;  // the way the light travels, length 1
+    vec3 radiance;   // colour times share
+    float cos_outer;
+    float cos_inner;
+};
+
+// A point of the film (x, y) in pixels maps to the direction corner + x * step_x + y * step_y.
+struct CameraRecord {
+    vec3 position;
+    vec3 corner;
+    vec3 step_x;
+    vec3 step_y;
+};
+
+struct BandRecord {
+    float nanometres;
+    vec3 weight;
+};
+
+TABLE(SphereRecord, SphereTable)
+TABLE(BoxRecord, BoxTable)
+TABLE(PlaneRecord, PlaneTable)
+TABLE(PlacedRecord, PlacedTable)
+TABLE(TriangleRecord, TriangleTable)
+TABLE(MeshRecord, MeshTable)
+TABLE(InstanceRecord, InstanceTable)
+TABLE(ObjectRecord, ObjectTable)
+TABLE(TextureRecord, TextureTable)
+TABLE(WhittedRecord, WhittedTable)
+TABLE(LightRecord, LightTable)
+TABLE(BandRecord, BandTable)
+TABLE(vec3, Vec3Table)
+TABLE(vec2, Vec2Table)
+TABLE(int, IntTable)
+
+// Everything there is, by address.
+struct WorldRecord {
+    SphereTable spheres;
+    BoxTable boxes;
+    PlaneTable planes;
+    PlacedTable placed;
+    TriangleTable triangles;
+    MeshTable meshes;
+    InstanceTable instances;
+    ObjectTable objects;
+    Vec3Table positions;
+    Vec3Table normals;
+    Vec2Table uvs;
+    IntTable indices;  // three a triangle, counted from the mesh's first vertex
+    TextureTable textures;
+    Vec3Table texels;  // linear RGB
+    WhittedTable materials;
+    LightTable lights;
+    BandTable bands;
+    int sphere_count;
+    int box_count;
+    int plane_count;
+    int placed_count;
+    int triangle_count;
+    int instance_count;
+    int light_count;
+    int band_count;
+    int bounces;
+    int has_transparency;
+    vec3 ambient;
+    vec3 zenith;
+    vec3 horizon;
+    vec3 nadir;
+    CameraRecord camera;
+};
+
+RECORDS_END
+
+#ifdef __cplusplus
+namespace lancer::kernel {
+static_assert(sizeof(vec3) == 12 && sizeof(vec2) == 8, "records have scalar layout");
+static_assert(sizeof(SphereRecord) == 16 && sizeof(BoxRecord) == 24 && sizeof(PlaneRecord) == 16 && sizeof(AffineRecord) == 48 &&
+              sizeof(PlacedRecord) == 156 && sizeof(TriangleRecord) == 36 && sizeof(InstanceRecord) == 104 && sizeof(ObjectRecord) == 24 &&
+              sizeof(TextureRecord) == 68 && sizeof(WhittedRecord) == 84 && sizeof(LightRecord) == 48 && sizeof(CameraRecord) == 48);
+}  // namespace lancer::kernel
+#endif
+
+#endif

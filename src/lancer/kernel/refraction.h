@@ -1,0 +1,123 @@
+// Light at the border of two transparent media: which are there, how they bend it, how much they let through.
+#ifndef LANCER_KERNEL_REFRACTION_H
+#define LANCER_KERNEL_REFRACTION_H
+
+#include "lancer/kernel/ray.h"
+#include "lancer/kernel/tables.h"
+
+NAMESPACE_BEGIN
+
+const float D_LINE = 587.5618f;  // nanometres; white light is bent as this one
+
+// The materials that the ray is inside of, the last one entered first; -1 = none. Bodies may be nested four deep.
+struct Media {
+    Int first;
+    Int second;
+    Int third;
+    Int fourth;
+};
+
+FN Media no_media() {
+    Media m;
+    m.first = Int(-1);
+    m.second = Int(-1);
+    m.third = Int(-1);
+    m.fourth = Int(-1);
+    return m;
+}
+
+FN Media entered(IN(Media) media, Int material) {
+    Media m;
+    m.first = material;
+    m.second = media.first;
+    m.third = media.second;
+    m.fourth = media.third;
+    return m;
+}
+
+// Takes the material's last entry out; leaving a body that was never entered changes nothing.
+FN Media left(IN(Media) media, Int material) {
+    Mask at_first = is_equal(media.first, material);
+    Mask at_second = either(at_first, is_equal(media.second, material));
+    Mask at_third = either(at_second, is_equal(media.third, material));
+    Mask at_fourth = either(at_third, is_equal(media.fourth, material));
+    Media m;
+    m.first = select(at_first, media.second, media.first);
+    m.second = select(at_second, media.third, media.second);
+    m.third = select(at_third, media.fourth, media.third);
+    m.fourth = select(at_fourth, Int(-1), media.fourth);
+    return m;
+}
+
+FN Media select_media(Mask mask, IN(Media) a, IN(Media) b) {
+    Media m;
+    m.first = select(mask, a.first, b.first);
+    m.second = select(mask, a.second, b.second);
+    m.third = select(mask, a.third, b.third);
+    m.fourth = select(mask, a.fourth, b.fourth);
+    return m;
+}
+
+FN Float material_index(IN(WhittedRecord) material, Float nanometres) {
+    Float n = Float(1.0f);
+    if (material.refraction == REFRACTION_SELLMEIER) {
+        Float micrometres_2 = nanometres * nanometres * Float(1.0e-6f);
+        Float sum = Float(material.refraction_a.x) * micrometres_2 / (micrometres_2 - Float(material.refraction_b.x)) +
+                    Float(material.refraction_a.y) * micrometres_2 / (micrometres_2 - Float(material.refraction_b.y)) +
+                    Float(material.refraction_a.z) * micrometres_2 / (micrometres_2 - Float(material.refraction_b.z));
+        n = sqrt(Float(1.0f) + sum);
+    } else {
+        n = Float(material.refraction_a.x) + Float(material.refraction_a.y) / (nanometres * nanometres);
+    }
+    return n;
+}
+
+// Of whatever material each lane is in; 1 outside of all.
+FN Float refractive_index(IN(WorldRecord) world, Int material, Float nanometres, Mask alive) {
+    Float n = Float(1.0f);
+    Mask todo = both(alive, is_above(material, Int(-1)));
+    while (some(todo)) {
+        int number = first_of(material, todo);
+        Mask mine = both(todo, is_equal(material, Int(number)));
+        n = select(mine, material_index(AT(world.materials, number), nanometres), n);
+        todo = without(todo, mine);
+    }
+    return n;
+}
+
+// What is left of light after a distance inside each lane's medium [Bouguer 1729].
+FN Vec3 transmittance(IN(WorldRecord) world, Int material, Float distance, Mask alive) {
+    Vec3 left_over = vec3_all(Float(1.0f));
+    Mask todo = both(alive, is_above(material, Int(-1)));
+    while (some(todo)) {
+        int number = first_of(material, todo);
+        Mask mine = both(todo, is_equal(material, Int(number)));
+        vec3 absorption = AT(world.materials, number).absorption;
+        Vec3 passes = vec3_of(exponential(Float(-absorption.x) * distance), exponential(Float(-absorption.y) * distance),
+                              exponential(Float(-absorption.z) * distance));
+        left_over = select(mine, passes, left_over);
+        todo = without(todo, mine);
+    }
+    return left_over;
+}
+
+// Share of unpolarised light that a smooth border reflects [Fresnel 1823]; `eta` is the index behind over the one in front. Also gives the
+// cosine of the refracted ray; all is reflected, and that cosine 0, beyond the critical angle.
+FN Float fresnel(Float cos_i, Float eta, INOUT(Float) cos_t) {
+    Float sin_t_2 = (Float(1.0f) - cos_i * cos_i) / (eta * eta);
+    Mask total = sin_t_2 >= Float(1.0f);
+    cos_t = sqrt(max(Float(1.0f) - sin_t_2, Float(0.0f)));
+    Float parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+    Float perpendicular = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+    Float share = (parallel * parallel + perpendicular * perpendicular) * Float(0.5f);
+    return select(total, Float(1.0f), share);
+}
+
+// Snell's law for a ray along `direction` against a normal that faces it.
+FN Vec3 refracted(Vec3 direction, Vec3 normal, Float cos_i, Float cos_t, Float eta) {
+    return normalize(direction / eta + normal * (cos_i / eta - cos_t));
+}
+
+NAMESPACE_END
+
+#endif
