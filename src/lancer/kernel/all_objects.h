@@ -3,7 +3,6 @@
 #ifndef LANCER_KERNEL_ALL_OBJECTS_H
 #define LANCER_KERNEL_ALL_OBJECTS_H
 
-#include "lancer/kernel/intersect.h"
 #include "lancer/kernel/plane.h"
 #include "lancer/kernel/triangle.h"
 

@@ -14,16 +14,6 @@ FN Hit closest_hit(IN(WorldRecord) world, IN(Ray) ray, Mask alive);
 // Which rays meet anything within their reach.
 FN Mask occluded(IN(WorldRecord) world, IN(Ray) ray, Mask alive);
 
-FN Hit no_hit(IN(Ray) ray) {
-    Hit hit;
-    hit.t = ray.reach;
-    hit.object = Int(-1);
-    hit.part = Int(0);
-    hit.u = Float(0.0f);
-    hit.v = Float(0.0f);
-    return hit;
-}
-
 NAMESPACE_END
 
 #endif

@@ -44,7 +44,7 @@ using glm::vec3;
 #define RECORDS_END }
 
 #define FN static inline
-#define FN_LARGE static
+#define FN_LARGE [[maybe_unused]] static
 #define IN(T) const T&
 #define INOUT(T) T&
 #define TABLE(T, Name) using Name = const T*;

@@ -52,6 +52,16 @@ FN Vec3 leave_surface(Vec3 position, Vec3 error, Vec3 normal, Vec3 direction) {
 
 FN Vec3 mirror(Vec3 v, Vec3 n) { return n * (Float(2.0f) * dot(v, n)) - v; }  // the report's R = 2 (V.N) N - V
 
+FN Hit no_hit(IN(Ray) ray) {
+    Hit hit;
+    hit.t = ray.reach;
+    hit.object = Int(-1);
+    hit.part = Int(0);
+    hit.u = Float(0.0f);
+    hit.v = Float(0.0f);
+    return hit;
+}
+
 NAMESPACE_END
 
 #endif

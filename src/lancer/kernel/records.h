@@ -152,6 +152,8 @@ struct CameraRecord {
     vec3 step_y;
 };
 
+const int MAX_BOUNCES = 24;
+
 struct BandRecord {
     float nanometres;
     vec3 weight;
@@ -192,6 +194,7 @@ struct WorldRecord {
     WhittedTable materials;
     LightTable lights;
     BandTable bands;
+    IntTable tree;  // the device's own search tree, opaque; null where every object is tested against every ray
     int sphere_count;
     int box_count;
     int plane_count;

@@ -14,9 +14,8 @@
 
 NAMESPACE_BEGIN
 
-const int MAX_BOUNCES = 24;
-const int WHITTED_STACK = 50;      // two may wait for each bounce
-const int SHADOW_SURFACES = 32;    // that light may pass through on its way
+const int WHITTED_STACK = 2 * MAX_BOUNCES + 2;  // two may wait for each bounce
+const int SHADOW_SURFACES = 32;                 // that light may pass through on its way
 
 struct WhittedPath {
     Vec3 origin;

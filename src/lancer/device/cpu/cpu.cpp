@@ -1,0 +1,69 @@
+#include "lancer/device/cpu/cpu.h"
+
+#include <optional>
+#include <utility>
+#include <xmmintrin.h>
+
+#include <fmt/format.h>
+
+#include "lancer/base/failure.h"
+#include "lancer/device/cpu/follow.h"
+#include "lancer/trace/tree.h"
+
+namespace lancer {
+
+namespace {
+
+// Numbers too small for a normal float become zero while this lives: what Embree asks for, and always, so that every tracer rounds alike.
+class FlushDenormals {
+public:
+    FlushDenormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040u); }
+    ~FlushDenormals() { _mm_setcsr(before_); }
+    FlushDenormals(const FlushDenormals&) = delete;
+    FlushDenormals& operator=(const FlushDenormals&) = delete;
+
+private:
+    unsigned before_;
+};
+
+class CpuDevice : public Device {
+public:
+    CpuDevice(std::shared_ptr<const World> world, const CpuVariant& variant, const CpuOptions& options)
+        : world_(std::move(world)), variant_(variant), record_(world_->record()) {
+        const bool small = options.tracer == Tracer::automatic ? world_->is_small() : options.tracer == Tracer::all_objects;
+        const bool has_instances = !world_->objects.empty() && world_->objects.back().kind == kernel::OBJECT_MESH;
+        if (!small || has_instances) {
+            tree_.emplace(*world_, options.threads);
+            record_.tree = tree_->address();
+        }
+    }
+
+    int lanes() const override { return variant_.lanes; }
+
+    std::string description() const override {
+        return fmt::format("CPU, {}, {}", variant_.name, tree_ ? "Embree" : "all objects in lanes");
+    }
+
+    void follow(std::span<const glm::vec2> points, std::span<glm::vec3> radiance, RayCounts& counts) const override {
+        const FlushDenormals flush;
+        variant_.whitted(record_, points.data(), radiance.data(), points.size(), counts);
+    }
+
+private:
+    std::shared_ptr<const World> world_;
+    const CpuVariant& variant_;
+    kernel::WorldRecord record_;
+    std::optional<Tree> tree_;
+};
+
+}  // namespace
+
+std::unique_ptr<Device> make_cpu_device(std::shared_ptr<const World> world, const CpuOptions& options) {
+    const CpuVariant* variant = find_cpu_variant(options.lanes);
+    if (variant == nullptr) {
+        throw MachineFailure(fmt::format("this processor can't follow {} rays in one register", options.lanes));
+    }
+    return std::make_unique<CpuDevice>(std::move(world), *variant, options);
+}
+
+}  // namespace lancer

@@ -1,0 +1,76 @@
+#include "lancer/world/compile.h"
+
+#include <cmath>
+#include <string>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "lancer/world/flatten.h"
+#include "lancer/world/materials.h"
+#include "lancer/world/shapes.h"
+
+namespace lancer {
+
+namespace {
+
+kernel::vec3 to_float(const glm::dvec3& v) { return kernel::vec3(v); }
+
+kernel::CameraRecord compile_camera(const scene::Camera& camera, int width, int height) {
+    const glm::dvec3 forward = glm::normalize(camera.direction);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const glm::dvec3 down = -glm::cross(right, forward);
+    // One pixel's size on the plane at distance 1.
+    const double across = camera.fov_axis == scene::FovAxis::width ? width : height;
+    const double pixel = 2.0 * std::tan(glm::radians(camera.fov) / 2.0) / across;
+    const glm::dvec3 corner = forward - right * (pixel * width / 2.0) - down * (pixel * height / 2.0);
+    return {to_float(camera.position), to_float(corner), to_float(right * pixel), to_float(down * pixel)};
+}
+
+kernel::LightRecord compile_light(const scene::Light& light) {
+    kernel::LightRecord record{};
+    record.radiance = to_float(light.color * light.intensity);
+    record.direction = kernel::vec3(0.0f, -1.0f, 0.0f);
+    if (const auto* point = std::get_if<scene::PointLight>(&light.model)) {
+        record.kind = kernel::LIGHT_POINT;
+        record.position = to_float(point->position);
+    } else if (const auto* spot = std::get_if<scene::SpotLight>(&light.model)) {
+        record.kind = kernel::LIGHT_SPOT;
+        record.position = to_float(spot->position);
+        record.direction = to_float(glm::normalize(spot->direction));
+        record.cos_outer = static_cast<float>(std::cos(glm::radians(spot->angle)));
+        // A spot without falloff still needs an edge that is not a division by zero: the next float.
+        const auto inner = static_cast<float>(std::cos(glm::radians(std::max(0.0, spot->angle - spot->falloff))));
+        record.cos_inner = std::max(inner, std::nextafter(record.cos_outer, 2.0f));
+    } else if (const auto* sun = std::get_if<scene::DirectionalLight>(&light.model)) {
+        record.kind = kernel::LIGHT_DIRECTIONAL;
+        record.direction = to_float(glm::normalize(sun->direction));
+    }
+    return record;
+}
+
+}  // namespace
+
+std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scene::Camera& camera, Diagnostics& diagnostics) {
+    auto world = std::make_shared<World>();
+    if (scene.settings.bounces < 0 || scene.settings.bounces > kernel::MAX_BOUNCES) {
+        diagnostics.error({scene.file, 0, 0}, std::to_string(scene.settings.bounces) + " bounces: expected 0 to " + std::to_string(kernel::MAX_BOUNCES));
+    }
+    world->bounces = scene.settings.bounces;
+    world->camera = compile_camera(camera, scene.settings.width, scene.settings.height);
+    world->ambient = to_float(scene.ambient);
+    world->zenith = to_float(scene.background.zenith);
+    world->horizon = to_float(scene.background.horizon);
+    world->nadir = to_float(scene.background.nadir);
+    for (const scene::Light& light : scene.lights) {
+        world->lights.push_back(compile_light(light));
+    }
+    compile_materials(scene, *world, diagnostics);
+    compile_shapes(flatten(scene), *world, diagnostics);
+    if (diagnostics.has_errors()) {
+        return nullptr;
+    }
+    return world;
+}
+
+}  // namespace lancer

@@ -1,0 +1,65 @@
+#include "lancer/world/world.h"
+
+namespace lancer {
+
+namespace {
+
+// Where a tree starts to pay, in objects: measured, see docs/performance.md.
+constexpr std::size_t small_world_objects = 40;
+
+template <class T>
+std::size_t bytes(const std::vector<T>& table) {
+    return table.size() * sizeof(T);
+}
+
+}  // namespace
+
+kernel::WorldRecord World::record() const {
+    kernel::WorldRecord r{};
+    r.spheres = spheres.data();
+    r.boxes = boxes.data();
+    r.planes = planes.data();
+    r.placed = placed.data();
+    r.triangles = triangles.data();
+    r.meshes = meshes.data();
+    r.instances = instances.data();
+    r.objects = objects.data();
+    r.positions = positions.data();
+    r.normals = normals.data();
+    r.uvs = uvs.data();
+    r.indices = indices.data();
+    r.textures = textures.data();
+    r.texels = texels.data();
+    r.materials = materials.data();
+    r.lights = lights.data();
+    r.bands = bands.data();
+    r.tree = nullptr;
+    r.sphere_count = static_cast<int>(spheres.size());
+    r.box_count = static_cast<int>(boxes.size());
+    r.plane_count = static_cast<int>(planes.size());
+    r.placed_count = static_cast<int>(placed.size());
+    r.triangle_count = static_cast<int>(triangles.size());
+    r.instance_count = static_cast<int>(instances.size());
+    r.light_count = static_cast<int>(lights.size());
+    r.band_count = static_cast<int>(bands.size());
+    r.bounces = bounces;
+    r.has_transparency = has_transparency ? 1 : 0;
+    r.ambient = ambient;
+    r.zenith = zenith;
+    r.horizon = horizon;
+    r.nadir = nadir;
+    r.camera = camera;
+    return r;
+}
+
+std::size_t World::memory() const {
+    return bytes(spheres) + bytes(boxes) + bytes(planes) + bytes(placed) + bytes(triangles) + bytes(meshes) + bytes(instances) + bytes(objects) +
+           bytes(positions) + bytes(normals) + bytes(uvs) + bytes(indices) + bytes(textures) + bytes(texels) + bytes(materials) + bytes(lights) +
+           bytes(bands);
+}
+
+bool World::is_small() const {
+    return objects.size() <= small_world_objects && (objects.empty() || objects.back().kind != kernel::OBJECT_MESH);
+}
+
+}  // namespace lancer

@@ -1,0 +1,54 @@
+// The immutable flat tables that the kernel reads. compile.h makes them from a scene.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lancer/kernel/records.h"
+
+namespace lancer {
+
+// Owns the tables; `record()` points into them, so a World stays where it was made.
+class World {
+public:
+    World() = default;
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    std::vector<kernel::SphereRecord> spheres;
+    std::vector<kernel::BoxRecord> boxes;
+    std::vector<kernel::PlaneRecord> planes;
+    std::vector<kernel::PlacedRecord> placed;
+    std::vector<kernel::TriangleRecord> triangles;
+    std::vector<kernel::MeshRecord> meshes;
+    std::vector<kernel::InstanceRecord> instances;
+    std::vector<kernel::ObjectRecord> objects;
+    std::vector<kernel::vec3> positions;  // and one more at the end, which no triangle uses
+    std::vector<kernel::vec3> normals;  // as long as positions where any mesh has normals
+    std::vector<kernel::vec2> uvs;      // as long as positions where any mesh has texture coordinates
+    std::vector<int> indices;
+    std::vector<kernel::TextureRecord> textures;
+    std::vector<kernel::vec3> texels;
+    std::vector<kernel::WhittedRecord> materials;
+    std::vector<kernel::LightRecord> lights;
+    std::vector<kernel::BandRecord> bands;
+
+    kernel::CameraRecord camera{};
+    kernel::vec3 ambient{0.0f};
+    kernel::vec3 zenith{0.0f};
+    kernel::vec3 horizon{0.0f};
+    kernel::vec3 nadir{0.0f};
+    int bounces = 0;
+    bool has_transparency = false;
+
+    // All of it by address, as the kernel takes it.
+    kernel::WorldRecord record() const;
+
+    // Bytes held by the tables.
+    std::size_t memory() const;
+
+    // Few enough objects to test them all against every ray: no mesh is left as an instance, and the count is small.
+    bool is_small() const;
+};
+
+}  // namespace lancer
