@@ -43,19 +43,20 @@ Become root, or install sudo, or ask someone who can: apt-get install --no-insta
     packages_changed=yes
 }
 
-# configure PRESET: only when there is something new to know; ninja itself notices changed CMake files.
+# configure PRESET: by CMake where there is something new for it to know, else by ninja, which looks for changed CMake files and new sources.
 configure() {
     local folder="$top/build/$1" log="$top/build/$1-configure.log"
-    if [ -f "$folder/build.ninja" ] && [ "${packages_changed:-}" != yes ] &&
-        [ "$folder/build.ninja" -nt "$top/CMakePresets.json" ] && [ "$folder/build.ninja" -nt "$top/cmake/packages.txt" ]; then
-        return 0
+    local again=(ninja -C "$folder" build.ninja)
+    if [ ! -f "$folder/build.ninja" ] || [ "${packages_changed:-}" = yes ] ||
+        [ "$top/CMakePresets.json" -nt "$folder/build.ninja" ] || [ "$top/cmake/packages.txt" -nt "$folder/build.ninja" ]; then
+        say "Configuring build/$1"
+        again=(cmake --preset "$1")
     fi
-    say "Configuring build/$1"
-    (cd "$top" && cmake --preset "$1") >"$log" 2>&1 9>&- || {
+    (cd "$top" && "${again[@]}") >"$log" 2>&1 9>&- || {
         cat "$log" >&2
         give_up "Configuring build/$1 failed; the messages above are in $log"
     }
-    touch "$folder/build.ninja"
+    [ "${again[0]}" = ninja ] || touch "$folder/build.ninja"
 }
 
 # build PRESET TARGET...: says nothing when there is nothing to do, shows ninja's status on a terminal, and whole messages on failure.
