@@ -22,16 +22,19 @@ using Metadata = std::map<std::string, std::string>;
 const std::vector<std::string>& writable_endings();
 
 // Writes beside the target and renames, so that nobody reads half a file. EXR, HDR and TIFF hold linear floats; PNG and JPEG are encoded as
-// sRGB, clipped to [0, 1]. Throws MachineFailure with the path and the reason.
+// sRGB, clipped to [0, 1]. EXR is half float, unless a finite value needs more range. Formats without alpha lose it. The same arguments give
+// the same bytes. Throws MachineFailure with the path and the reason; what stood at `path` is untouched then.
 void write_image(const std::string& path, const Image& image, const Metadata& metadata);
 
 // How colours are stored in the file that is read.
 enum class Encoding { automatic, linear, srgb };  // automatic: 8- and 16-bit integers are sRGB, floats linear
 
-// Reads any format that OpenImageIO knows. Throws std::runtime_error with a sentence when the file is missing, broken or too large.
+// Reads PNG, JPEG, EXR, HDR, TIFF, BMP, TGA, PNM and PFM, WebP, GIF and DDS; the first bytes say which, not the name. Alpha is as the file
+// has it, never sRGB. Throws std::runtime_error with a sentence when the file is missing, broken or too large, MachineFailure when what
+// reads images is not installed.
 Image read_image(const std::string& path, Encoding encoding = Encoding::automatic);
 
-// The sRGB transfer curve [IEC 61966-2-1], both ways, for one value.
+// The sRGB transfer curve [IEC 61966-2-1], both ways, for one value; not clipped, straight below zero.
 float srgb_encode(float linear);
 float srgb_decode(float encoded);
 

@@ -1,0 +1,12 @@
+// The module with OpenImageIO in it, loaded when it is first needed.
+#pragma once
+
+#include "lancer/image/module/interface.h"
+
+namespace lancer {
+
+// Looked for beside the program, in the library folder of the installation, in the folder where lancer was built, and where the system keeps
+// libraries. Throws MachineFailure with what is missing and which package has it.
+const LancerImages& images_module();
+
+}  // namespace lancer
