@@ -10,6 +10,7 @@ namespace lancer {
 namespace {
 
 constexpr std::size_t longest_word = 64;  // nobody misspells more than that, and the cost is quadratic
+constexpr std::size_t most_candidates = 2000;
 
 std::string lower_case(const std::string& text) {
     std::string result = text;
@@ -49,7 +50,8 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
     const std::string wanted = lower_case(word);
     const std::string* nearest = nullptr;
     std::size_t smallest = std::max<std::size_t>(1, word.size() / 3) + 1;  // a third of the letters may be wrong
-    for (const std::string& candidate : candidates) {
+    for (std::size_t i = 0; i < candidates.size() && i < most_candidates; ++i) {
+        const std::string& candidate = candidates[i];
         if (candidate.size() > longest_word) {
             continue;
         }

@@ -1,0 +1,196 @@
+#include "lancer/import/obj/obj_parse.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "lancer/import/mesh/text_cursor.h"
+
+namespace lancer::obj {
+
+namespace {
+
+// Statements that say nothing about the shape of the faces, or that we leave out knowingly (SUPPORT.md).
+constexpr std::array passed_over = {"o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "vp", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj"};
+constexpr std::array not_faces = {"l", "p"};
+
+template <std::size_t count>
+bool contains(const std::array<const char*, count>& words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+class Parser {
+public:
+    Parser(std::string_view bytes, MeshMessages& messages) : cursor_(bytes, true, '#'), messages_(messages) {}
+
+    Statements run() {
+        while (!cursor_.at_end() && !messages_.has_too_many_errors()) {
+            if (cursor_.find_word()) {
+                statement();
+            }
+            cursor_.next_line();
+        }
+        check_late_corners();
+        tell_what_was_left_out();
+        return std::move(result_);
+    }
+
+private:
+    struct LateCorner {  // names something that may still come
+        std::int64_t number;
+        const char* of;  // which list
+        int line, column;
+    };
+
+    void statement() {
+        const std::string_view word = cursor_.word();
+        const int line = cursor_.line();
+        const int column = cursor_.column();
+        cursor_.skip(word.size());
+        if (word == "v") {
+            glm::vec3 p(0.0f);
+            numbers(3, 3, "a vertex", &p.x);
+            result_.positions.push_back(p);
+        } else if (word == "vt") {
+            glm::vec2 uv(0.0f);
+            numbers(1, 2, "a texture coordinate", &uv.x);
+            result_.uvs.push_back(uv);
+        } else if (word == "vn") {
+            glm::vec3 n(0.0f);
+            numbers(3, 3, "a normal", &n.x);
+            result_.normals.push_back(n);
+        } else if (word == "f" || word == "fo") {
+            face(line, column);
+        } else if (contains(not_faces, word)) {
+            ++lines_and_points_;
+        } else if (contains(passed_over, word)) {
+            materials_ = materials_ || word == "usemtl";
+        } else {
+            messages_.warning(line, column, fmt::format("unknown statement {}; left out", quoted(word)));
+        }
+    }
+
+    // At least `least` numbers must follow; what comes after the first `most`, such as weights and colours, is passed over.
+    void numbers(int least, int most, const char* what, float* values) {
+        for (int i = 0; i < most; ++i) {
+            if (!cursor_.find_word()) {
+                if (i < least) {
+                    messages_.error(cursor_.line(), cursor_.column(), fmt::format("{} needs {} numbers, but the line ends after {}", what, least, i));
+                }
+                return;
+            }
+            if (!cursor_.read_number(values[i])) {
+                messages_.error(cursor_.line(), cursor_.column(), fmt::format("{} needs finite numbers, not {}", what, quoted(cursor_.word())));
+                return;
+            }
+        }
+    }
+
+    void face(int line, int column) {
+        const std::size_t first = result_.corners.size();
+        while (cursor_.find_word()) {
+            Corner corner;
+            if (!read_corner(corner)) {
+                result_.corners.resize(first);
+                return;
+            }
+            result_.corners.push_back(corner);
+        }
+        if (const std::size_t count = result_.corners.size() - first; count < 3) {
+            messages_.warning(line, column, fmt::format("a face needs three corners, not {}; left out", count));
+            result_.corners.resize(first);
+            return;
+        }
+        result_.face_ends.push_back(result_.corners.size());
+    }
+
+    // a, a/b, a//c or a/b/c
+    bool read_corner(Corner& corner) {
+        const int line = cursor_.line();
+        const int column = cursor_.column();
+        const std::string_view word = cursor_.word();
+        bool good = index(corner.position, result_.positions.size(), "vertex");
+        if (good && cursor_.take('/')) {
+            if (!cursor_.stands('/') && !cursor_.at_word_end()) {
+                good = index(corner.uv, result_.uvs.size(), "texture coordinate");
+            }
+            if (good && cursor_.take('/') && !cursor_.at_word_end()) {
+                good = index(corner.normal, result_.normals.size(), "normal");
+            }
+        }
+        if (good && !cursor_.at_word_end()) {
+            good = false;
+            messages_.error(line, column, fmt::format("a corner is written as vertex, vertex/uv, vertex//normal or vertex/uv/normal, not {}", quoted(word)));
+        }
+        return good;
+    }
+
+    // Counted from 1, or backwards from -1, the last one so far.
+    bool index(std::int32_t& result, std::size_t count, const char* of) {
+        const int line = cursor_.line();
+        const int column = cursor_.column();
+        std::int64_t number = 0;
+        if (!cursor_.read_integer(number)) {
+            messages_.error(line, column, fmt::format("the number of a {} is missing here, found {}", of, quoted(cursor_.word())));
+            return false;
+        }
+        const std::int64_t have = static_cast<std::int64_t>(count);
+        if (number == 0) {
+            messages_.error(line, column, fmt::format("there is no {} 0: they are counted from 1", of));
+            return false;
+        }
+        if (number < -have || number > std::numeric_limits<std::int32_t>::max()) {
+            messages_.error(line, column, fmt::format("there is no {} {}: {} came before", of, number, have));
+            return false;
+        }
+        if (number > have) {
+            late_.push_back({number, of, line, column});
+        }
+        result = static_cast<std::int32_t>(number < 0 ? have + number : number - 1);
+        return true;
+    }
+
+    void check_late_corners() {
+        for (const LateCorner& late : late_) {
+            const std::string_view of = late.of;
+            const std::size_t count = of == "vertex" ? result_.positions.size() : of == "normal" ? result_.normals.size() : result_.uvs.size();
+            if (late.number > static_cast<std::int64_t>(count)) {
+                messages_.error(late.line, late.column, fmt::format("there is no {} {}: the file has {}", of, late.number, count));
+            }
+        }
+    }
+
+    void tell_what_was_left_out() {
+        if (lines_and_points_ > 0) {
+            messages_.note(fmt::format("{} statements for lines and points are left out", lines_and_points_));
+        }
+        if (materials_) {
+            messages_.note("materials (usemtl) are left out; the mesh has the material that the scene gives it");
+        }
+    }
+
+    TextCursor cursor_;
+    MeshMessages& messages_;
+    Statements result_;
+    std::vector<LateCorner> late_;
+    std::size_t lines_and_points_ = 0;
+    bool materials_ = false;
+};
+
+}  // namespace
+
+Statements parse(std::string_view bytes, MeshMessages& messages) {
+    using namespace std::string_view_literals;
+    if (bytes.starts_with("\xff\xfe"sv) || bytes.starts_with("\xfe\xff"sv)) {
+        messages.error(1, 1, "this is UTF-16 text; save the file as UTF-8");
+        return {};
+    }
+    if (bytes.starts_with("\xef\xbb\xbf"sv)) {
+        bytes.remove_prefix(3);
+    }
+    return Parser(bytes, messages).run();
+}
+
+}  // namespace lancer::obj

@@ -1,0 +1,182 @@
+#include "lancer/import/toml/materials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lancer/import/toml/colors.h"
+#include "lancer/spectrum/glass.h"
+
+namespace lancer::notation {
+
+namespace {
+
+// Sellmeier coefficients with a pole or an imaginary index in the visible would be noticed late and far from their cause.
+void check_sellmeier(TableReader& reader, const scene::SellmeierGlass& glass) {
+    for (double nanometres = 380.0; nanometres <= 780.0; nanometres += 5.0) {
+        const double square = nanometres * nanometres * 1e-6;  // square micrometres
+        double n_squared = 1.0;
+        for (int i = 0; i < 3; ++i) {
+            n_squared += glass.b[i] == 0.0 ? 0.0 : glass.b[i] * square / (square - glass.c[i]);
+        }
+        if (!(n_squared >= 0.01 && n_squared <= 100.0)) {
+            reader.error("b", fmt::format("these coefficients give no refractive index between 0.1 and 10 at {} nm: n^2 = {:.4g}", nanometres, n_squared));
+            return;
+        }
+    }
+}
+
+scene::Refraction read_refraction_table(Messages& messages, const toml::table& table) {
+    const bool sellmeier = table.contains("b") || table.contains("c");
+    TableReader reader(messages, table, sellmeier ? sellmeier_glass() : abbe_glass());
+    if (!sellmeier) {
+        const double index = reader.number("index");
+        return scene::AbbeGlass{index, reader.number("abbe_number")};
+    }
+    scene::SellmeierGlass glass;
+    glass.b = reader.vector3("b");
+    glass.c = reader.vector3("c");
+    if (reader.good()) {
+        check_sellmeier(reader, glass);
+    }
+    return glass;
+}
+
+scene::Refraction read_refraction(TableReader& reader, std::string_view name) {
+    const Key& key = reader.described(name, Kind::refraction);
+    const double preset = std::get<double>(key.preset);
+    const toml::node* node = reader.value(name, Kind::refraction);
+    if (!node) {
+        return preset;
+    }
+    if (const auto* string = node->as_string()) {
+        if (!find_glass(string->get())) {
+            const std::string hint = did_you_mean(string->get(), glass_names());
+            reader.error(name, fmt::format("there is no glass \"{}\"{}", string->get(),
+                                           hint.empty() ? "; known are " + some_of(glass_names()) : ";" + hint));
+        }
+        return scene::NamedGlass{string->get()};
+    }
+    if (const toml::table* table = node->as_table()) {
+        return read_refraction_table(reader.messages(), *table);
+    }
+    double index = preset;
+    if (!node->is_number()) {
+        reader.error(name, fmt::format("\"{}\" must be a refractive index, the name of a glass, {{ index, abbe_number }} or {{ b, c }}, not {}", name,
+                                       what_it_is(*node)));
+    } else if (!read_number(reader.messages(), *node, key, index)) {
+        reader.spoil();
+        index = preset;
+    }
+    return index;
+}
+
+}  // namespace
+
+scene::Material Materials::read_table(const toml::table& table) {
+    TableReader reader(context_.messages, table, whitted_material());
+    reader.choice("type");
+    scene::WhittedMaterial model;
+    model.color = read_texture(context_, reader, "color");
+    model.ambient = reader.number("ambient");
+    model.diffuse = reader.number("diffuse");
+    model.highlight = reader.number("highlight");
+    model.shininess = reader.number("shininess");
+    model.reflectivity = reader.number("reflectivity");
+    model.transparency = reader.number("transparency");
+    model.refraction = read_refraction(reader, "refraction");
+    model.absorption = read_color(reader, "absorption");
+    const double together = model.reflectivity + model.transparency;
+    if (reader.good() && together > 1.0 + 1e-9) {
+        reader.error("transparency",
+                     fmt::format("\"reflectivity\" and \"transparency\" share the light that arrives: together at most 1, not {}", together));
+    }
+    return {{}, model, reader.position()};
+}
+
+void Materials::read_named(const toml::table& root) {
+    const toml::node* node = root.get("material");
+    if (!node) {
+        return;
+    }
+    const toml::table* all = node->as_table();
+    if (!all) {
+        context_.messages.error(context_.messages.at(*node), fmt::format("materials are written as [material.NAME], not as {}",
+                                                                         node->is_array() ? "[[material]]" : what_it_is(*node)));
+        return;
+    }
+    struct Written {
+        const toml::key* key;
+        const toml::node* node;
+    };
+    std::vector<Written> in_order;  // of the file; toml++ sorts by name
+    for (const auto& [key, value] : *all) {
+        in_order.push_back({&key, &value});
+    }
+    const auto place_of = [](const Written& w) { return std::pair(w.key->source().begin.line, w.key->source().begin.column); };
+    std::sort(in_order.begin(), in_order.end(), [&](const Written& a, const Written& b) { return place_of(a) < place_of(b); });
+    for (const Written& written : in_order) {
+        const std::string name(written.key->str());
+        if (const toml::table* table = written.node->as_table()) {
+            by_name_[name] = static_cast<int>(context_.scene.materials.size());
+            context_.scene.materials.push_back(read_table(*table));
+            context_.scene.materials.back().name = name;
+        } else if (whitted_material().find(name)) {
+            context_.messages.error(context_.messages.at(*written.key), fmt::format("a material needs a name: [material.NAME]; \"{}\" stands in none", name));
+        } else {
+            context_.messages.error(context_.messages.at(*written.node), fmt::format("material \"{}\" must be a table, not {}", name, what_it_is(*written.node)));
+        }
+    }
+    used_.assign(context_.scene.materials.size(), false);
+}
+
+int Materials::read(TableReader& reader, std::string_view key) {
+    const toml::node* node = reader.value(key, Kind::material);
+    if (!node) {
+        return -1;
+    }
+    if (const toml::table* table = node->as_table()) {
+        context_.scene.materials.push_back(read_table(*table));
+        return static_cast<int>(context_.scene.materials.size()) - 1;
+    }
+    const auto* string = node->as_string();
+    if (!string) {
+        reader.error(key, fmt::format("\"{}\" must be the name of a material or a table, not {}", key, what_it_is(*node)));
+        return -1;
+    }
+    if (const auto found = by_name_.find(string->get()); found != by_name_.end()) {
+        used_[static_cast<std::size_t>(found->second)] = true;
+        return found->second;
+    }
+    reader.spoil();
+    if (context_.messages.full()) {
+        return -1;
+    }
+    std::vector<std::string> names;
+    for (const auto& [name, index] : by_name_) {
+        names.push_back(name);
+    }
+    const std::string hint = did_you_mean(string->get(), names);
+    const std::string expected = names.empty() ? fmt::format("; add [material.{}]", string->get()) : "; there are " + some_of(names);
+    reader.error(key, fmt::format("there is no material \"{}\"{}", string->get(), hint.empty() ? expected : ";" + hint));
+    return -1;
+}
+
+int Materials::preset() {
+    if (preset_ < 0) {
+        preset_ = static_cast<int>(context_.scene.materials.size());
+        context_.scene.materials.push_back({{}, scene::WhittedMaterial{}, {context_.messages.file(), 0, 0}});
+    }
+    return preset_;
+}
+
+void Materials::warn_about_unused() {
+    for (std::size_t i = 0; i < used_.size(); ++i) {
+        if (!used_[i]) {
+            const scene::Material& material = context_.scene.materials[i];
+            context_.messages.warning(material.position, fmt::format("material \"{}\" is not used", material.name));
+        }
+    }
+}
+
+}  // namespace lancer::notation

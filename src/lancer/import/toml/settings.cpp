@@ -1,0 +1,90 @@
+#include "lancer/import/toml/settings.h"
+
+#include <fmt/format.h>
+
+#include "lancer/import/toml/colors.h"
+
+namespace lancer::notation {
+
+namespace {
+
+scene::Background read_background_table(TableReader& reader) {
+    const auto color = read_color_if_written(reader, "color");
+    const auto zenith = read_color_if_written(reader, "zenith");
+    const auto horizon = read_color_if_written(reader, "horizon");
+    const auto nadir = read_color_if_written(reader, "nadir");
+    if (reader.has("color")) {
+        for (const char* key : {"zenith", "horizon", "nadir"}) {
+            if (reader.has(key)) {
+                reader.error(key, fmt::format("a background has either \"color\" or \"{}\"", key));
+            }
+        }
+        const scene::Rgb all = color.value_or(scene::Rgb(0.0));
+        return {all, all, all};
+    }
+    const scene::Rgb black(0.0);
+    const scene::Rgb middle = horizon ? *horizon : zenith && nadir ? 0.5 * (*zenith + *nadir) : zenith.value_or(nadir.value_or(black));
+    return {zenith.value_or(middle), middle, nadir.value_or(middle)};
+}
+
+// `name = color`, where a table [name] may stand as well.
+std::optional<scene::Rgb> read_bare_color(Messages& messages, const toml::node& node, const Table& table) {
+    Key key = *table.find("color");
+    key.name = table.name;
+    return read_color(messages, node, key);
+}
+
+void read_background(Context& context, const toml::node& node) {
+    if (const toml::table* table = node.as_table()) {
+        TableReader reader(context.messages, *table, background());
+        context.scene.background = read_background_table(reader);
+    } else if (const auto color = read_bare_color(context.messages, node, background())) {
+        context.scene.background = {*color, *color, *color};
+    }
+}
+
+void read_ambient(Context& context, const toml::node& node) {
+    if (const toml::table* table = node.as_table()) {
+        TableReader reader(context.messages, *table, ambient());
+        context.scene.ambient = read_color(reader, "color");
+    } else if (const auto color = read_bare_color(context.messages, node, ambient())) {
+        context.scene.ambient = *color;
+    }
+}
+
+void read_render(Context& context, const toml::node& node) {
+    const toml::table* table = node.as_table();
+    if (!table) {
+        context.messages.error(context.messages.at(node), fmt::format("write [render] instead of {}", node.is_array() ? "[[render]]" : what_it_is(node)));
+        return;
+    }
+    TableReader reader(context.messages, *table, render());
+    scene::RenderSettings& settings = context.scene.settings;
+    const glm::ivec2 size = reader.size("size");
+    settings.width = size.x;
+    settings.height = size.y;
+    settings.integrator = render().find("integrator")->words[reader.choice("integrator")];
+    settings.bounces = reader.integer("bounces");
+    settings.ssaa = reader.integer("ssaa");
+    settings.antialiasing = reader.choice("aa") == 0 ? scene::Antialiasing::uniform : scene::Antialiasing::adaptive;
+    settings.adaptive_threshold = reader.number("adaptive_threshold");
+    settings.adaptive_depth = reader.integer("adaptive_depth");
+    settings.wavelengths = reader.integer("wavelengths");
+    settings.exposure = reader.number("exposure");
+}
+
+}  // namespace
+
+void read_settings(Context& context, const toml::table& root) {
+    if (const toml::node* node = root.get("background")) {
+        read_background(context, *node);
+    }
+    if (const toml::node* node = root.get("ambient")) {
+        read_ambient(context, *node);
+    }
+    if (const toml::node* node = root.get("render")) {
+        read_render(context, *node);
+    }
+}
+
+}  // namespace lancer::notation

@@ -1,0 +1,275 @@
+// Every key of the notation. Defaults are those of scene/scene.h; a test holds them together.
+#include <glm/vec3.hpp>
+
+#include "lancer/import/toml/notation.h"
+
+namespace lancer::notation {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range any{};
+constexpr Range positive{0.0, infinity, true, false};
+constexpr Range not_negative{0.0, infinity};
+constexpr Range share{0.0, 1.0};
+constexpr Range corner{0.0, 4294967295.0};
+
+const Default none{};
+const glm::dvec3 origin{0.0};
+const glm::dvec3 upwards{0.0, 1.0, 0.0};
+
+Key name_key(std::string_view help, bool required = false) { return {"name", Kind::text, none, any, "", help, required}; }
+
+// Every shape has these as well.
+Table shape(std::string_view name, std::string_view what, std::string_view help, std::vector<Key> keys) {
+    Table table{name, what, help, {name_key("A name, for messages.")}};
+    table.keys.insert(table.keys.end(), keys.begin(), keys.end());
+    table.keys.push_back({"material", Kind::material, none, any, "", "The name of a [material.NAME], or a material written in place."});
+    const Table& transform = place();
+    for (std::string_view key : {"scale", "rotate", "translate"}) {
+        table.keys.push_back(*transform.find(key));
+    }
+    return table;
+}
+
+Table light(std::string_view type, std::string_view what, std::string_view help, std::vector<Key> keys) {
+    Table table{type, what, help, {{"type", Kind::choice, none, any, "", "What kind of light it is.", true, {type}}, name_key("A name, for messages.")}};
+    table.keys.insert(table.keys.end(), keys.begin(), keys.end());
+    table.keys.push_back({"color", Kind::color, glm::dvec3(1.0), not_negative, "", "The colour of its light."});
+    table.keys.push_back({"intensity", Kind::number, none, Range{0.0, 1e6}, "",
+                          "Its share of the light. The shares of all lights sum to 1; when they do not, they are scaled. Lights without one "
+                          "have equal parts of what the others leave."});
+    return table;
+}
+
+}  // namespace
+
+const Table& camera() {
+    static const Table table{
+        "camera",
+        "a camera",
+        "Where the picture is seen from. Cameras with names, [camera.NAME], may stand beside it.",
+        {{"position", Kind::vector3, glm::dvec3(0.0, 0.0, 5.0), any, "m", "The eye."},
+         {"look_at", Kind::vector3, none, any, "m", "The point in the middle of the picture; instead of direction."},
+         {"direction", Kind::direction, glm::dvec3(0.0, 0.0, -1.0), any, "", "Where it looks; instead of look_at."},
+         {"up", Kind::direction, upwards, any, "", "What is up in the picture."},
+         {"fov", Kind::number, 60.0, Range{0.0, 180.0, true, true}, "degrees", "The field of view, between two opposite edges of the picture."},
+         {"fov_axis", Kind::choice, "width", any, "", "Whether fov spans the picture's width or its height.", false, {"width", "height"}}}};
+    return table;
+}
+
+const Table& point_light() {
+    static const Table table = light("point", "a point light", "Light from a point, equal in all directions.",
+                                     {{"position", Kind::vector3, none, any, "m", "Where it stands.", true}});
+    return table;
+}
+
+const Table& spot_light() {
+    static const Table table = light(
+        "spot", "a spot light", "A cone of light from a point.",
+        {{"position", Kind::vector3, none, any, "m", "Where it stands.", true},
+         {"direction", Kind::direction, none, any, "", "Where it shines; instead of look_at."},
+         {"look_at", Kind::vector3, none, any, "m", "The point that it shines at; instead of direction."},
+         {"angle", Kind::number, 30.0, Range{0.0, 180.0, true, true}, "degrees", "From the cone's axis to where the light ends."},
+         {"falloff", Kind::number, 5.0, Range{0.0, 180.0}, "degrees", "Over how much of angle it fades, measured inwards; at most angle."}});
+    return table;
+}
+
+const Table& directional_light() {
+    static const Table table = light("directional", "a directional light", "Light from infinitely far away, such as the sun's.",
+                                     {{"direction", Kind::direction, none, any, "", "The way the light travels.", true}});
+    return table;
+}
+
+const Table& whitted_material() {
+    static const Table table{
+        "material",
+        "a material",
+        "The classic material of ray tracing. Its weights are shares from 0 to 1.",
+        {{"type", Kind::choice, "whitted", any, "", "The model of the surface.", false, {"whitted"}},
+         {"color", Kind::texture, glm::dvec3(0.8), share, "", "The colour of the surface."},
+         {"ambient", Kind::number, 0.1, share, "", "How much of the scene's ambient light it gives back."},
+         {"diffuse", Kind::number, 0.9, share, "", "How much of the lights' light it scatters."},
+         {"highlight", Kind::number, 0.3, share, "", "How strong the highlights of the lights are."},
+         {"shininess", Kind::number, 50.0, Range{0.0, 1e6, true, false}, "", "The exponent of the highlight: larger is smaller and sharper."},
+         {"reflectivity", Kind::number, 0.0, share, "", "How much it mirrors."},
+         {"transparency", Kind::number, 0.0, share, "", "How much passes into it; with reflectivity at most 1."},
+         {"refraction", Kind::refraction, 1.5, Range{0.1, 10.0}, "",
+          "The refractive index, the name of a glass, an index with its Abbe number, or Sellmeier coefficients."},
+         {"absorption", Kind::color, origin, not_negative, "1/m", "How fast each colour fades inside: exp(-absorption * depth)."}}};
+    return table;
+}
+
+const Table& checker() {
+    static const Table table{
+        "checker",
+        "a checker",
+        "Two colours alternating in cells.",
+        {{"type", Kind::choice, none, any, "", "checker", true, {"checker"}},
+         {"first", Kind::color, glm::dvec3(1.0), share, "", "The colour of the cell at the origin."},
+         {"second", Kind::color, origin, share, "", "The other colour."},
+         {"size", Kind::number, 1.0, Range{1e-6, 1e9}, "", "The edge of a cell: metres when solid, else units of the surface's uv."},
+         {"solid", Kind::flag, true, any, "", "Cells are cubes in the shape's own space; else squares on the surface."}}};
+    return table;
+}
+
+const Table& image() {
+    static const Table table{
+        "image",
+        "an image",
+        "A picture laid over the surface's uv coordinates; (0, 0) is its lower left corner.",
+        {{"type", Kind::choice, none, any, "", "image", true, {"image"}},
+         {"file", Kind::file, none, any, "", "The picture, seen from the scene file's folder.", true},
+         {"wrap", Kind::choice, "repeat", any, "", "What lies outside of the picture.", false, {"repeat", "clamp", "mirror"}},
+         {"filter", Kind::choice, "bilinear", any, "", "How colours between pixels are found.", false, {"bilinear", "nearest"}},
+         {"encoding", Kind::choice, "srgb", any, "", "How colours are stored in the file.", false, {"srgb", "linear"}},
+         {"scale", Kind::vector2, glm::dvec2(1.0), Range{-1e6, 1e6}, "", "How often the picture fits into one unit of u and v."},
+         {"offset", Kind::vector2, glm::dvec2(0.0), Range{-1e6, 1e6}, "", "Added to u and v after scale."}}};
+    return table;
+}
+
+const Table& abbe_glass() {
+    static const Table table{"refraction",
+                             "a glass",
+                             "A glass by its refractive index and Abbe number.",
+                             {{"index", Kind::number, 1.5, Range{1.0, 10.0}, "", "The refractive index at 587.56 nm.", true},
+                              {"abbe_number", Kind::number, 60.0, Range{1.0, 1000.0}, "", "Smaller spreads the colours more.", true}}};
+    return table;
+}
+
+const Table& sellmeier_glass() {
+    static const Table table{"refraction",
+                             "a glass",
+                             "A glass by its Sellmeier coefficients: n^2 = 1 + sum B L^2 / (L^2 - C), L in micrometres.",
+                             {{"b", Kind::vector3, origin, Range{-1e6, 1e6}, "", "B1, B2, B3.", true},
+                              {"c", Kind::vector3, origin, Range{-1e6, 1e6}, "square micrometres", "C1, C2, C3.", true}}};
+    return table;
+}
+
+const Table& axis_rotation() {
+    static const Table table{"rotate",
+                             "a rotation",
+                             "A rotation about an axis through the origin.",
+                             {{"axis", Kind::direction, upwards, any, "", "Counter-clockwise when the axis points at the viewer.", true},
+                              {"angle", Kind::number, 0.0, Range{-1e6, 1e6}, "degrees", "How far.", true}}};
+    return table;
+}
+
+const Table& place() {
+    static const Table table{"place",
+                             "a placement",
+                             "Places a group, as often as wanted.",
+                             {{"group", Kind::text, none, any, "", "The name of the group.", true},
+                              {"material", Kind::material, none, any, "", "Replaces the materials of everything in the group."},
+                              {"scale", Kind::scale, glm::dvec3(1.0), Range{-1e9, 1e9}, "", "Applied first: one number or one for each axis."},
+                              {"rotate", Kind::rotation, origin, Range{-1e6, 1e6}, "degrees",
+                               "Applied second: about x, then y, then z; or { axis = [x, y, z], angle = degrees }."},
+                              {"translate", Kind::vector3, origin, any, "m", "Applied last."}}};
+    return table;
+}
+
+const Table& group() {
+    static const Table table{"group",
+                             "a group",
+                             "Shapes that are placed together; not seen until a [[place]] names it.",
+                             {name_key("The name to place it by.", true)}};
+    return table;
+}
+
+const Table& sphere() {
+    static const Table table = shape("sphere", "a sphere", "A sphere.",
+                                     {{"center", Kind::vector3, origin, any, "m", "Its middle."},
+                                      {"radius", Kind::number, 1.0, positive, "m", "From the middle to the surface."}});
+    return table;
+}
+
+const Table& box() {
+    static const Table table = shape("box", "a box", "A box along the axes.",
+                                     {{"min", Kind::vector3, glm::dvec3(-0.5), any, "m", "The corner with the smallest x, y and z."},
+                                      {"max", Kind::vector3, glm::dvec3(0.5), any, "m", "The corner with the largest x, y and z."}});
+    return table;
+}
+
+const Table& plane() {
+    static const Table table = shape("plane", "a plane", "An infinite plane.",
+                                     {{"point", Kind::vector3, origin, any, "m", "Any point of it."},
+                                      {"normal", Kind::direction, upwards, any, "", "At right angles to it."}});
+    return table;
+}
+
+const Table& disk() {
+    static const Table table = shape("disk", "a disk", "A flat, round disk.",
+                                     {{"center", Kind::vector3, origin, any, "m", "Its middle."},
+                                      {"normal", Kind::direction, upwards, any, "", "At right angles to it."},
+                                      {"radius", Kind::number, 1.0, positive, "m", "From the middle to the rim."}});
+    return table;
+}
+
+const Table& cylinder() {
+    static const Table table = shape("cylinder", "a cylinder", "A round cylinder.",
+                                     {{"from", Kind::vector3, origin, any, "m", "The middle of one end."},
+                                      {"to", Kind::vector3, upwards, any, "m", "The middle of the other end."},
+                                      {"radius", Kind::number, 0.5, positive, "m", "From the axis to the surface."},
+                                      {"capped", Kind::flag, true, any, "", "Whether disks close its ends."}});
+    return table;
+}
+
+const Table& cone() {
+    static const Table table = shape("cone", "a cone", "A round cone, or a truncated one when top_radius is not 0.",
+                                     {{"from", Kind::vector3, origin, any, "m", "The middle of the base."},
+                                      {"to", Kind::vector3, upwards, any, "m", "The tip, or the middle of the top."},
+                                      {"radius", Kind::number, 0.5, not_negative, "m", "At from."},
+                                      {"top_radius", Kind::number, 0.0, not_negative, "m", "At to."},
+                                      {"capped", Kind::flag, true, any, "", "Whether disks close its ends."}});
+    return table;
+}
+
+const Table& mesh() {
+    static const Table table = shape(
+        "mesh", "a mesh", "Triangles, from a file or written here; counter-clockwise seen from outside.",
+        {{"file", Kind::file, none, any, "", "An .obj or .ply file, seen from the scene file's folder; instead of positions and triangles."},
+         {"positions", Kind::vectors3, none, any, "m", "The corners, [x, y, z] each."},
+         {"triangles", Kind::triangles, none, corner, "", "Three numbers of corners each, counted from 0."},
+         {"normals", Kind::vectors3, none, Range{-1e6, 1e6}, "", "One for each corner."},
+         {"uvs", Kind::vectors2, none, Range{-1e6, 1e6}, "", "Texture coordinates [u, v], one for each corner."},
+         {"smooth", Kind::flag, true, any, "", "Use the normals of the corners, where there are any."}});
+    return table;
+}
+
+const Table& background() {
+    static const Table table{"background",
+                             "a background",
+                             "What is seen where there is nothing: one color, or a gradient from below to above.",
+                             {{"color", Kind::color, origin, not_negative, "", "The same in every direction; instead of the others."},
+                              {"zenith", Kind::color, none, not_negative, "", "Straight up; horizon's when not written."},
+                              {"horizon", Kind::color, none, not_negative, "", "At eye level; the mean of the others when not written."},
+                              {"nadir", Kind::color, none, not_negative, "", "Straight down; horizon's when not written."}}};
+    return table;
+}
+
+const Table& ambient() {
+    static const Table table{"ambient",
+                             "the ambient light",
+                             "Light that reaches every point from everywhere, times each material's ambient.",
+                             {{"color", Kind::color, glm::dvec3(1.0), not_negative, "", "Its colour.", true}}};
+    return table;
+}
+
+const Table& render() {
+    static const Table table{
+        "render",
+        "the rendering",
+        "How the picture is made; the command line has the last word.",
+        {{"size", Kind::size, glm::dvec2(1280.0, 720.0), Range{1.0, 65536.0}, "pixels", "Width and height of the picture."},
+         {"integrator", Kind::choice, "whitted", any, "", "How light is followed.", false, {"whitted"}},
+         {"bounces", Kind::integer, 5.0, Range{0.0, 64.0}, "", "Reflections and refractions after the first hit."},
+         {"ssaa", Kind::integer, 1.0, Range{1.0, 64.0}, "", "Supersampling: ssaa x ssaa samples a pixel."},
+         {"aa", Kind::choice, "uniform", any, "", "The same samples for every pixel, or more where neighbours differ.", false, {"uniform", "adaptive"}},
+         {"adaptive_threshold", Kind::number, 0.05, Range{0.0, 1.0}, "", "The difference of display values that makes a cell be cut in four."},
+         {"adaptive_depth", Kind::integer, 3.0, Range{0.0, 8.0}, "", "How often a cell is cut at most."},
+         {"wavelengths", Kind::integer, 48.0, Range{1.0, 1024.0}, "", "How many carry a path through glass that spreads colours."},
+         {"exposure", Kind::number, 0.0, Range{-100.0, 100.0}, "stops", "Brightens the picture by 2^exposure."}}};
+    return table;
+}
+
+}  // namespace lancer::notation
