@@ -9,6 +9,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(PNG REQUIRED)
 find_package(OpenEXR REQUIRED)
 find_package(xsimd REQUIRED)
+set_target_properties(xsimd PROPERTIES INTERFACE_LINK_LIBRARIES "")  # Debian's names xtl, which is headers, not packaged with it, and not used here
 if(NOT TARGET PkgConfig::TOMLPLUSPLUS)
     pkg_check_modules(TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
 endif()
