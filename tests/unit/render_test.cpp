@@ -13,8 +13,8 @@
 #include <thread>
 #include <vector>
 
-#include <glm/common.hpp>
 #include <gtest/gtest.h>
+#include <glm/common.hpp>
 
 #include "lancer/film/display.h"
 #include "lancer/image/image.h"
@@ -149,7 +149,8 @@ TEST(UniformSampling, FollowsEveryPointOfTheGridOnce) {
         RenderStatistics statistics;
         const Film film = render_film(PaintedDevice(visit), options, &statistics);
         EXPECT_TRUE(std::all_of(visits.begin(), visits.end(), [](int n) { return n == 1; })) << "ssaa " << ssaa;
-        EXPECT_TRUE(std::all_of(film.samples.begin(), film.samples.end(), [&](std::uint32_t n) { return n == std::uint32_t(ssaa * ssaa); }));
+        EXPECT_TRUE(
+            std::all_of(film.samples.begin(), film.samples.end(), [&](std::uint32_t n) { return n == std::uint32_t(ssaa * ssaa); }));
         EXPECT_EQ(statistics.samples, visits.size());
         EXPECT_EQ(statistics.rays.camera, visits.size());
         EXPECT_TRUE(statistics.finished);
@@ -367,8 +368,8 @@ TEST(AdaptiveSampling, LooksAtLightAfterTheView) {
     };
     const std::uint64_t plain = samples(0.5f, 0.5f, 0.0);
     EXPECT_GT(samples(0.5f, 0.8f, 0.0), plain);
-    EXPECT_EQ(samples(3.0f, 9.0f, 0.0), plain);   // both are white
-    EXPECT_GT(samples(3.0f, 9.0f, -4.0), plain);  // until the exposure brings them back
+    EXPECT_EQ(samples(3.0f, 9.0f, 0.0), plain);     // both are white
+    EXPECT_GT(samples(3.0f, 9.0f, -4.0), plain);    // until the exposure brings them back
     EXPECT_GT(samples(0.001f, 0.02f, 0.0), plain);  // small in light, large to the eye
 }
 

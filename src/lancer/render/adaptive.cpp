@@ -49,7 +49,8 @@ bool AdaptiveSampler::want(int x, int y) {
         return false;
     }
     const float unit = 1.0f / static_cast<float>(1 << depth_);
-    points_.emplace_back(static_cast<float>(tile_.x0) + static_cast<float>(x) * unit, static_cast<float>(tile_.y0) + static_cast<float>(y) * unit);
+    points_.emplace_back(static_cast<float>(tile_.x0) + static_cast<float>(x) * unit,
+                         static_cast<float>(tile_.y0) + static_cast<float>(y) * unit);
     corners_.push_back({{x, y}, glm::vec3(0.0f)});
     index = static_cast<std::uint32_t>(corners_.size());
 
@@ -168,7 +169,9 @@ bool AdaptiveSampler::render_tile(const Tile& tile, Film& film, RayCounts& count
     for_each_in_blocks(tile.width() + 1, tile.height() + 1, device_.lanes(), [&](int x, int y) { want(x * pixel, y * pixel); });
     follow_wanted(counts);
     if (depth_ > 0) {
-        for_each_in_blocks(tile.width(), tile.height(), device_.lanes(), [&](int x, int y) { cells_.push_back({{x * pixel, y * pixel}, pixel}); });
+        for_each_in_blocks(tile.width(), tile.height(), device_.lanes(), [&](int x, int y) {
+            cells_.push_back({{x * pixel, y * pixel}, pixel});
+        });
     }
     while (!cells_.empty()) {
         next_.clear();
@@ -199,7 +202,8 @@ glm::vec3 AdaptiveSampler::mean(const Cell& cell) const {
         return ((light(x, y) + light(x + size, y)) + (light(x, y + size) + light(x + size, y + size))) * 0.25f;
     }
     const int half = size / 2;
-    return ((mean({{x, y}, half}) + mean({{x + half, y}, half})) + (mean({{x, y + half}, half}) + mean({{x + half, y + half}, half}))) * 0.25f;
+    return ((mean({{x, y}, half}) + mean({{x + half, y}, half})) + (mean({{x, y + half}, half}) + mean({{x + half, y + half}, half}))) *
+           0.25f;
 }
 
 void AdaptiveSampler::put_pixels(Film& film) const {

@@ -52,7 +52,9 @@ private:
         Place beyond;
     };
 
-    std::size_t node(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_) + static_cast<std::size_t>(x); }
+    std::size_t node(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_) + static_cast<std::size_t>(x);
+    }
     std::size_t index(int x, int y) const { return index_at_[node(x, y)] - 1; }
     const glm::vec3& display(int x, int y) const { return corners_[index(x, y)].display; }
     bool is_wanted(int x, int y) const { return index_at_[node(x, y)] != 0; }
@@ -88,8 +90,8 @@ private:
     std::vector<Cell> cells_;              // to be looked at
     std::vector<Cell> next_;               // to be looked at after these
     std::vector<Witness> witnesses_;
-    std::vector<Cell> revealed_;           // cells that witnesses want to be cut
-    std::vector<std::uint32_t> samples_;   // pixel by pixel
+    std::vector<Cell> revealed_;          // cells that witnesses want to be cut
+    std::vector<std::uint32_t> samples_;  // pixel by pixel
 };
 
 }  // namespace lancer

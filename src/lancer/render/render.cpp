@@ -49,7 +49,6 @@ public:
     void take_tiles() {
         const std::unique_ptr<TileSampler> sampler = make_sampler();
         RayCounts counts;
-        std::uint64_t samples = 0;
         std::uint64_t bad = 0;
         std::size_t first_bad = no_pixel;
         while (!is_cancelled(cancel_)) {
@@ -61,9 +60,10 @@ public:
             if (!sampler->render_tile(tile, film_, counts, cancel_)) {
                 break;
             }
+            std::uint64_t tile_samples = 0;
             for (int y = tile.y0; y < tile.y1; ++y) {
                 for (std::size_t i = film_.index(tile.x0, y); i < film_.index(tile.x0, y) + static_cast<std::size_t>(tile.width()); ++i) {
-                    samples += film_.samples[i];
+                    tile_samples += film_.samples[i];
                     const glm::vec3& c = film_.radiance[i];
                     if (!(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z))) {
                         ++bad;
@@ -71,11 +71,10 @@ public:
                     }
                 }
             }
-            tell(tile);
+            tell(tile, tile_samples);
         }
         const std::scoped_lock lock(mutex_);
         counts_ += counts;
-        samples_ += samples;
         bad_ += bad;
         first_bad_ = std::min(first_bad_, first_bad);
     }
@@ -83,7 +82,7 @@ public:
     RenderStatistics statistics() const {
         RenderStatistics result;
         result.rays = counts_;
-        result.samples = samples_;
+        result.samples = progress_.samples_done;
         result.seconds = seconds();
         result.finished = progress_.pixels_done == progress_.pixels_total;
         result.bad_pixels = bad_;
@@ -105,9 +104,10 @@ private:
         return std::make_unique<UniformSampler>(device_, *patterns_);
     }
 
-    void tell(const Tile& tile) {
+    void tell(const Tile& tile, std::uint64_t samples) {
         const std::scoped_lock lock(mutex_);
         progress_.pixels_done += static_cast<std::int64_t>(tile.width()) * tile.height();
+        progress_.samples_done += samples;
         if (observer_ != nullptr) {
             progress_.seconds = seconds();
             const double left = static_cast<double>(progress_.pixels_total - progress_.pixels_done);
@@ -132,7 +132,6 @@ private:
     std::mutex mutex_;  // guards what follows, and lets one thread at a time speak to the observer
     RenderProgress progress_;
     RayCounts counts_;
-    std::uint64_t samples_ = 0;
     std::uint64_t bad_ = 0;
     std::size_t first_bad_ = no_pixel;
 };
@@ -141,7 +140,8 @@ private:
 
 int hardware_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
-RenderStatistics render(const Device& device, const RenderOptions& options, Film& film, RenderObserver* observer, const std::atomic<bool>* cancel) {
+RenderStatistics render(const Device& device, const RenderOptions& options, Film& film, RenderObserver* observer,
+                        const std::atomic<bool>* cancel) {
     assert(options.width >= 1 && options.height >= 1 && film.width == options.width && film.height == options.height);
     assert(options.ssaa >= 1 && options.ssaa <= max_ssaa);
     assert(options.adaptive_depth >= 0 && options.adaptive_depth <= max_adaptive_depth);
@@ -157,7 +157,8 @@ RenderStatistics render(const Device& device, const RenderOptions& options, Film
         tbb::task_arena arena(threads);
         arena.execute([&] {
             tbb::parallel_for(
-                tbb::blocked_range<int>(0, threads, 1), [&](const tbb::blocked_range<int>&) { work.take_tiles(); }, tbb::simple_partitioner());
+                tbb::blocked_range<int>(0, threads, 1), [&](const tbb::blocked_range<int>&) { work.take_tiles(); },
+                tbb::simple_partitioner());
         });
     }
     RenderStatistics result = work.statistics();

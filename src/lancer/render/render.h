@@ -33,8 +33,9 @@ constexpr int max_threads = 1024;
 struct RenderProgress {
     std::int64_t pixels_done = 0;
     std::int64_t pixels_total = 0;
-    double seconds = 0.0;       // since the start
-    double seconds_left = 0.0;  // estimated
+    std::uint64_t samples_done = 0;  // camera samples
+    double seconds = 0.0;            // since the start
+    double seconds_left = 0.0;       // estimated
 };
 
 struct RenderStatistics {

@@ -28,7 +28,8 @@ SamplePattern::SamplePattern(int width, int height, int ssaa, int lanes) {
         for (int pixel_x = 0; pixel_x < width; ++pixel_x) {
             for (int y = pixel_y * ssaa; y < (pixel_y + 1) * ssaa; ++y) {
                 for (int x = pixel_x * ssaa; x < (pixel_x + 1) * ssaa; ++x) {
-                    slots.push_back(slot_at[static_cast<std::size_t>(y) * static_cast<std::size_t>(fine_width) + static_cast<std::size_t>(x)]);
+                    slots.push_back(
+                        slot_at[static_cast<std::size_t>(y) * static_cast<std::size_t>(fine_width) + static_cast<std::size_t>(x)]);
                 }
             }
         }
@@ -65,7 +66,8 @@ bool UniformSampler::render_tile(const Tile& tile, Film& film, RayCounts& counts
             if (is_cancelled(cancel)) {
                 return false;
             }
-            render_batch({x, y, std::min(x + patterns_.batch_width(), tile.x1), std::min(y + patterns_.batch_height(), tile.y1)}, film, counts);
+            render_batch({x, y, std::min(x + patterns_.batch_width(), tile.x1), std::min(y + patterns_.batch_height(), tile.y1)}, film,
+                         counts);
         }
     }
     return true;

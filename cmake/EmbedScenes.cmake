@@ -1,0 +1,16 @@
+# The scenes that the program carries with it, so that it shows its figures wherever it is started: everything under scenes/ but what only
+# benchmarks and tests use.
+function(lancer_embed_scenes target)
+    file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/scenes/report/* ${PROJECT_SOURCE_DIR}/scenes/gallery/*)
+    list(SORT files)
+    set(generated ${CMAKE_CURRENT_BINARY_DIR}/embedded_scenes.cpp)
+    list(TRANSFORM files PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE dependencies)
+    add_custom_command(
+        OUTPUT ${generated}
+        COMMAND ${CMAKE_COMMAND} "-DFILES=${files}" -DFOLDER=${PROJECT_SOURCE_DIR} -DOUTPUT=${generated}
+            -P ${PROJECT_SOURCE_DIR}/cmake/WriteEmbedded.cmake
+        DEPENDS ${dependencies} ${PROJECT_SOURCE_DIR}/cmake/WriteEmbedded.cmake ${PROJECT_SOURCE_DIR}/cmake/EmbedScenes.cmake
+        COMMENT "Embedding the scenes"
+        VERBATIM)
+    target_sources(${target} PRIVATE ${generated})
+endfunction()

@@ -1,0 +1,189 @@
+// lancer info SCENE
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "lancer/app/cli/command_line.h"
+#include "lancer/app/exit_status.h"
+#include "lancer/import/import.h"
+#include "lancer/world/compile.h"
+
+namespace lancer::app {
+
+namespace {
+
+constexpr std::array<const char*, std::variant_size_v<scene::Shape>> shape_names = {"sphere",   "box",  "plane", "disk",
+                                                                                    "cylinder", "cone", "mesh"};
+constexpr std::array<const char*, 3> light_names = {"point", "spot", "directional"};
+
+// Everything that is seen, each group as often as it is placed.
+struct Count {
+    std::array<std::uint64_t, shape_names.size()> shapes{};
+    std::uint64_t triangles = 0;
+
+    void add(const scene::Object& object) {
+        ++shapes[object.shape.index()];
+        if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape)) {
+            triangles += mesh->data->triangles.size();
+        }
+    }
+    void add(const Count& other) {
+        for (std::size_t i = 0; i < shapes.size(); ++i) {
+            shapes[i] += other.shapes[i];
+        }
+        triangles += other.triangles;
+    }
+};
+
+Count count_shapes(const scene::Scene& scene) {
+    std::vector<Count> groups;  // a group comes after every group it places
+    for (const scene::Group& group : scene.groups) {
+        Count& count = groups.emplace_back();
+        for (const scene::Object& object : group.objects) {
+            count.add(object);
+        }
+        for (const scene::Placement& placement : group.placements) {
+            count.add(Count(groups[static_cast<std::size_t>(placement.group)]));
+        }
+    }
+    Count count;
+    for (const scene::Object& object : scene.objects) {
+        count.add(object);
+    }
+    for (const scene::Placement& placement : scene.placements) {
+        count.add(groups[static_cast<std::size_t>(placement.group)]);
+    }
+    return count;
+}
+
+std::string plural(std::uint64_t number, const std::string& word) {
+    const std::string many = word == "box" || word == "mesh" ? word + "es" : word + "s";
+    return fmt::format("{} {}", number, number == 1 ? word : many);
+}
+
+std::string bytes_in_words(std::size_t bytes) {
+    const double number = static_cast<double>(bytes);
+    return number < 1e6 ? fmt::format("{:.1f} kB", number / 1e3) : fmt::format("{:.1f} MB", number / 1e6);
+}
+
+std::string antialiasing_in_words(const scene::RenderSettings& settings) {
+    return settings.antialiasing == scene::Antialiasing::adaptive
+               ? fmt::format("adaptive anti-aliasing (threshold {}, depth {})", settings.adaptive_threshold, settings.adaptive_depth)
+               : fmt::format("{0} x {0} samples a pixel", settings.ssaa);
+}
+
+void print_text(const scene::Scene& scene, const Count& count, const World& world) {
+    const scene::RenderSettings& settings = scene.settings;
+    const auto row = [](const char* name, const std::string& text) { fmt::print("{:<10} {}\n", name, text); };
+    row("scene", scene.file);
+    row("hash", scene.hash);
+    row("picture", fmt::format("{} x {}, {}, {}", settings.width, settings.height, antialiasing_in_words(settings),
+                               plural(static_cast<std::uint64_t>(settings.bounces), "bounce")));
+    std::vector<std::string> cameras;
+    for (const scene::Camera& camera : scene.cameras) {
+        cameras.push_back(fmt::format("{} ({} degrees)", camera.name.empty() ? "unnamed" : camera.name, camera.fov));
+    }
+    row("cameras", fmt::format("{}", fmt::join(cameras, ", ")));
+    std::vector<std::string> shapes;
+    for (std::size_t i = 0; i < count.shapes.size(); ++i) {
+        if (count.shapes[i] > 0) {
+            shapes.push_back(plural(count.shapes[i], shape_names[i]));
+        }
+    }
+    row("shapes", shapes.empty() ? "none" : fmt::format("{}", fmt::join(shapes, ", ")));
+    if (count.triangles > 0) {
+        row("triangles", fmt::format("{}", count.triangles));
+    }
+    if (!scene.groups.empty()) {
+        row("groups", fmt::format("{}", scene.groups.size()));
+    }
+    row("materials", fmt::format("{}", scene.materials.size()));
+    std::vector<std::string> lights;
+    for (const scene::Light& light : scene.lights) {
+        lights.push_back(
+            fmt::format("{} {} ({:.3g})", light_names[light.model.index()], light.name.empty() ? "light" : light.name, light.intensity));
+    }
+    row("lights", lights.empty() ? "none" : fmt::format("{}", fmt::join(lights, ", ")));
+    row("memory", fmt::format("{} of tables", bytes_in_words(world.memory())));
+    row("tracing", world.is_small() ? "all objects at once, in SIMD lanes" : "a bounding volume hierarchy");
+}
+
+nlohmann::ordered_json to_json(const scene::Scene& scene, const Count& count, const World& world, const Diagnostics& diagnostics) {
+    nlohmann::ordered_json json = {
+        {"scene", scene.file},
+        {"hash", scene.hash},
+        {"width", scene.settings.width},
+        {"height", scene.settings.height},
+        {"bounces", scene.settings.bounces},
+        {"antialiasing", antialiasing_in_words(scene.settings)},
+    };
+    for (const scene::Camera& camera : scene.cameras) {
+        json["cameras"].push_back({{"name", camera.name}, {"fov", camera.fov}});
+    }
+    for (std::size_t i = 0; i < count.shapes.size(); ++i) {
+        json["shapes"][shape_names[i]] = count.shapes[i];
+    }
+    json["triangles"] = count.triangles;
+    json["groups"] = scene.groups.size();
+    json["materials"] = scene.materials.size();
+    json["lights"] = nlohmann::ordered_json::array();
+    for (const scene::Light& light : scene.lights) {
+        json["lights"].push_back({{"name", light.name}, {"type", light_names[light.model.index()]}, {"intensity", light.intensity}});
+    }
+    json["bytes"] = world.memory();
+    json["messages"] = nlohmann::ordered_json::array();
+    for (const Diagnostic& diagnostic : diagnostics.list()) {
+        json["messages"].push_back(to_string(diagnostic));
+    }
+    return json;
+}
+
+int show_info(const std::string& path, bool as_json) {
+    Diagnostics diagnostics;
+    const std::optional<scene::Scene> scene = import_scene(path, diagnostics);
+    std::shared_ptr<const World> world;
+    if (scene) {
+        world = compile_world(*scene, scene->cameras.front(), diagnostics);
+    }
+    if (!as_json || world == nullptr) {
+        print_diagnostics(diagnostics);
+    }
+    if (world == nullptr) {
+        return exit_bad_input;
+    }
+    const Count count = count_shapes(*scene);
+    if (as_json) {
+        fmt::print("{}\n", to_json(*scene, count, *world, diagnostics).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    } else {
+        print_text(*scene, count, *world);
+    }
+    return exit_done;
+}
+
+}  // namespace
+
+void add_info(CLI::App& program, Work& work) {
+    struct Arguments {
+        std::string scene;
+        bool json = false;
+    };
+    CLI::App* app = program.add_subcommand("info", "Tell what is in a scene, how big it is, and what is odd about it");
+    const auto arguments = std::make_shared<Arguments>();
+    app->add_option("SCENE", arguments->scene, "The scene: a .toml, .obj or .ply file")->type_name("");
+    app->add_flag("--json", arguments->json, "For programs");
+    app->footer("Example:\n  lancer info scenes/report/figure-1.toml");
+    app->callback([app, arguments, &work] {
+        work = [app, arguments]() -> int {
+            if (arguments->scene.empty()) {
+                return refuse("which scene? For example: lancer info scene.toml", *app);
+            }
+            return show_info(arguments->scene, arguments->json);
+        };
+    });
+}
+
+}  // namespace lancer::app

@@ -1,0 +1,92 @@
+#include "lancer/app/cli/progress.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+namespace lancer::app {
+
+ProgressStyle choose_progress(const std::optional<std::string>& wanted, bool quiet) {
+    if (wanted == "json") {
+        return ProgressStyle::json;
+    }
+    if (quiet) {
+        return ProgressStyle::none;
+    }
+    if (!wanted) {
+        return isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::plain;
+    }
+    return *wanted == "bar" ? ProgressStyle::bar : ProgressStyle::plain;
+}
+
+std::string in_words(double seconds) {
+    if (seconds < 9.995) {
+        return fmt::format("{:.{}f} s", seconds, seconds < 0.9995 ? 3 : 2);
+    }
+    const long whole = std::lround(seconds);
+    if (whole < 60) {
+        return fmt::format("{} s", whole);
+    }
+    if (whole < 3600) {
+        return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+    }
+    return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+std::string with_prefix(double number, const std::string& unit) {
+    const char* const prefixes[] = {"", "k ", "M ", "G ", "T "};
+    std::size_t i = 0;
+    while (number >= 999.5 && i + 1 < std::size(prefixes)) {
+        number /= 1000.0;
+        ++i;
+    }
+    const int digits = i == 0 || number >= 99.95 ? 0 : number >= 9.995 ? 1 : 2;
+    return fmt::format("{:.{}f} {}{}", number, digits, prefixes[i], unit);
+}
+
+void ProgressPrinter::show(double share, double seconds, double seconds_left, const std::string& rate) {
+    if (style_ == ProgressStyle::none) {
+        return;
+    }
+    // Nobody reads more often, and a terminal may be slow. Lines in a log are for work that takes long.
+    const auto now = Clock::now();
+    const auto pause = style_ == ProgressStyle::plain ? std::chrono::milliseconds(2000) : std::chrono::milliseconds(100);
+    if (now - last_.value_or(start_) < pause) {
+        return;
+    }
+    last_ = now;
+    if (style_ == ProgressStyle::json) {
+        fmt::print(stderr, "{{\"event\":\"progress\",\"share\":{:.4f},\"seconds\":{:.3f},\"seconds_left\":{:.3f}}}\n", share, seconds,
+                   seconds_left);
+    } else if (style_ == ProgressStyle::plain) {
+        fmt::print(stderr, "{}: {:.0f} %{}{}, {} left\n", what_, std::floor(share * 100.0), rate.empty() ? "" : ", ", rate,
+                   in_words(seconds_left));
+    } else {
+        constexpr int cells = 24;
+        const int full = std::clamp(static_cast<int>(share * cells), 0, cells);
+        fmt::print(stderr, "\r{} [{:#<{}}{:-<{}}] {:3.0f} %{}{}, {} left\033[K", what_, "", full, "", cells - full,
+                   std::floor(share * 100.0), rate.empty() ? "" : "  ", rate, in_words(seconds_left));
+        drawn_ = true;
+    }
+    std::fflush(stderr);
+}
+
+void ProgressPrinter::clear() {
+    if (drawn_) {
+        fmt::print(stderr, "\r\033[K");
+        std::fflush(stderr);
+        drawn_ = false;
+    }
+}
+
+void RenderProgressPrinter::tile_done(const Film&, const Tile&, const RenderProgress& progress) {
+    printer_.show(static_cast<double>(progress.pixels_done) / static_cast<double>(progress.pixels_total), progress.seconds,
+                  progress.seconds_left,
+                  with_prefix(static_cast<double>(progress.samples_done) / std::max(progress.seconds, 1e-9), "samples/s"));
+}
+
+}  // namespace lancer::app

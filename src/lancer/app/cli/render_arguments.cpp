@@ -1,0 +1,71 @@
+#include "lancer/app/cli/render_arguments.h"
+
+#include <fmt/format.h>
+
+#include "lancer/kernel/records.h"
+#include "lancer/render/render.h"
+
+namespace lancer::app {
+
+void add_threads_option(CLI::App& app, std::optional<int>& threads) {
+    add_whole(app, "--threads,--thread", threads, 1, max_threads, "How many threads work; all that the machine has if not given")
+        ->group("Machine");
+}
+
+void add_render_options(CLI::App& app, RenderArguments& arguments) {
+    add_size(app, "--size", arguments.size, "Width and height of the picture in pixels")->group("Picture");
+    add_text(app, "--camera", arguments.camera, "NAME", "Which of the scene's cameras; the first if not given")->group("Picture");
+    app.add_option("--lights", arguments.lights, "Only these lights, by name or number from 1; their shares are scaled to sum to 1 again")
+        ->type_name("NAME,NAME")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->group("Picture");
+    add_real(app, "--exposure", arguments.exposure, -100.0, 100.0,
+             "Stops by which PNG and JPEG are brightened; EXR, HDR and TIFF keep the light as it is")
+        ->group("Picture");
+    add_choice(app, "--integrator", arguments.integrator, {"whitted"}, "How light is followed")->group("Light");
+    add_whole(app, "--bounces", arguments.bounces, 0, kernel::MAX_BOUNCES, "Reflections and refractions after the first hit, at most")
+        ->group("Light");
+    add_choice(app, "--aa", arguments.antialiasing, {"uniform", "adaptive"},
+               "Smooth edges by a regular grid of samples in each pixel, or by subdividing where neighbours differ")
+        ->group("Anti-aliasing");
+    add_whole(app, "--ssaa", arguments.ssaa, 1, max_ssaa, "N x N samples in each pixel (uniform)")->group("Anti-aliasing");
+    add_real(app, "--adaptive-threshold", arguments.adaptive_threshold, 0.0, 1.0,
+             "Difference of what is displayed, from 0 to 1, above which a pixel is subdivided (adaptive)")
+        ->group("Anti-aliasing");
+    add_whole(app, "--adaptive-depth", arguments.adaptive_depth, 0, max_adaptive_depth, "How often at most, each time in four (adaptive)")
+        ->group("Anti-aliasing");
+    add_threads_option(app, arguments.threads);
+    add_choice(app, "--trace", arguments.trace, {"auto", "lanes", "bvh"},
+               "How rays find what they hit: all shapes at once, or a bounding volume hierarchy. The picture is the same")
+        ->group("Machine");
+}
+
+std::vector<std::string> words_of(const RenderArguments& arguments) {
+    std::vector<std::string> words;
+    const auto add = [&](const char* name, const auto& value) {
+        if (value) {
+            words.push_back(name);
+            words.push_back(fmt::format("{}", *value));
+        }
+    };
+    if (arguments.size) {
+        words.push_back("--size");
+        words.push_back(fmt::format("{}x{}", arguments.size->width, arguments.size->height));
+    }
+    add("--camera", arguments.camera);
+    if (!arguments.lights.empty()) {
+        words.push_back("--lights");
+        words.push_back(CLI::detail::join(arguments.lights, ","));
+    }
+    add("--exposure", arguments.exposure);
+    add("--integrator", arguments.integrator);
+    add("--bounces", arguments.bounces);
+    add("--aa", arguments.antialiasing);
+    add("--ssaa", arguments.ssaa);
+    add("--adaptive-threshold", arguments.adaptive_threshold);
+    add("--adaptive-depth", arguments.adaptive_depth);
+    return words;
+}
+
+}  // namespace lancer::app

@@ -1,0 +1,37 @@
+// What can be said on the command line about a picture: common to `render` and `view`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "lancer/app/cli/values.h"
+
+namespace lancer::app {
+
+// What is not given stays as the scene says.
+struct RenderArguments {
+    std::optional<ImageSize> size;
+    std::optional<std::string> camera;
+    std::optional<std::string> integrator;
+    std::optional<int> bounces;
+    std::optional<int> ssaa;
+    std::optional<std::string> antialiasing;
+    std::optional<double> adaptive_threshold;
+    std::optional<int> adaptive_depth;
+    std::optional<double> exposure;
+    std::vector<std::string> lights;  // empty: all of them
+    std::optional<int> threads;       // unset: all hardware threads
+    std::optional<std::string> trace;
+};
+
+void add_threads_option(CLI::App& app, std::optional<int>& threads);
+void add_render_options(CLI::App& app, RenderArguments& arguments);
+
+// The options that were given and change the picture, as words of a command line, always in the same order. So that the same picture is
+// written into its file with the same words, whatever the number of threads.
+std::vector<std::string> words_of(const RenderArguments& arguments);
+
+}  // namespace lancer::app

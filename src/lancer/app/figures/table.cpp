@@ -1,0 +1,63 @@
+#include "lancer/app/figures/table.h"
+
+namespace lancer::app {
+
+namespace {
+
+const char* const figure_1 = "scenes/report/figure-1.toml";
+const char* const lights = "scenes/report/lights.toml";
+
+Figure bounces(const std::string& number, const std::string& caption) {
+    return {"bounces-" + number, caption, figure_1, {"--bounces", number}};
+}
+
+Figure supersampling(const std::string& factor, const std::string& caption) {
+    return {"ssaa-" + factor, caption, figure_1, {"--ssaa", factor}, Enlargement{470, 250, 80, 45, 8}};
+}
+
+std::vector<FigureGroup> make_table() {
+    return {
+        {"Figure 1",
+         "What lancer shows when it is started without arguments.",
+         {{"figure-1", "Reflecting spheres and boxes on a floor, under two lights.", figure_1, {}}}},
+        {"Figure 2: fields of view",
+         "The same place and direction, another angle between the left and the right edge.",
+         {{"fov-90", "90 degrees, about what a person sees.", figure_1, {"--camera", "fov-90"}},
+          {"fov-130", "130 degrees, a wide-angle lens.", figure_1, {"--camera", "fov-130"}}}},
+        {"Figure 3: directions of the camera",
+         "The camera looks where it is told, in any format of picture.",
+         {{"level", "A level axis.", figure_1, {"--camera", "level"}},
+          {"low-angle", "From below, in the format 4:3.", figure_1, {"--size", "960x720", "--camera", "low-angle"}}}},
+        {"Figure 4: bounces",
+         "How often light is followed from mirror to mirror. Each bounce adds less than the one before.",
+         {bounces("0", "None: no reflections."), bounces("1", "One."), bounces("2", "Two."), bounces("3", "Three."), bounces("4", "Four."),
+          bounces("5", "Five: hardly to be told from four.")}},
+        {"Figure 5: supersampling",
+         "Each pixel is the mean of a grid of samples; beside it a part of the picture, eight times enlarged.",
+         {supersampling("1", "1 x 1: steps along the edges."), supersampling("2", "2 x 2."), supersampling("4", "4 x 4."),
+          supersampling("8", "8 x 8.")}},
+        {"Figure 6: lights",
+         "Each light has its share of the whole, and its own shadows.",
+         {{"one-light", "One.", lights, {"--lights", "left"}},
+          {"two-lights", "Two.", lights, {"--lights", "left,right"}},
+          {"three-lights", "Three.", lights, {}}}},
+        {"Adaptive anti-aliasing",
+         "A pixel is subdivided where its corners differ, and its parts again, where they still do. The map shows the "
+         "samples that each pixel took: the brighter, the more.",
+         {{"adaptive",
+           "Figure 1 with the samples where they matter.",
+           figure_1,
+           {"--aa", "adaptive"},
+           Enlargement{470, 250, 80, 45, 8},
+           true}}},
+    };
+}
+
+}  // namespace
+
+const std::vector<FigureGroup>& figure_table() {
+    static const std::vector<FigureGroup> table = make_table();
+    return table;
+}
+
+}  // namespace lancer::app

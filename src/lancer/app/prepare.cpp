@@ -1,0 +1,191 @@
+#include "lancer/app/prepare.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lancer/app/cli/spelling.h"
+#include "lancer/device/cpu/cpu.h"
+#include "lancer/world/compile.h"
+
+namespace lancer::app {
+
+namespace {
+
+void choose_camera(scene::Scene& scene, const std::string& name, Diagnostics& diagnostics) {
+    std::vector<std::string> names;
+    for (const scene::Camera& camera : scene.cameras) {
+        if (camera.name == name) {
+            scene.cameras = {scene::Camera(camera)};
+            return;
+        }
+        if (!camera.name.empty()) {
+            names.push_back(camera.name);
+        }
+    }
+    const std::string hint = did_you_mean(name, names);
+    diagnostics.error({}, fmt::format("--camera: {} has no camera \"{}\"{}; {}", scene.file, name, hint.empty() ? "" : ";" + hint,
+                                      names.empty() ? "none of its cameras has a name" : fmt::format("it has {}", fmt::join(names, ", "))));
+}
+
+// A light by its name, or by its number in the scene, from 1.
+std::optional<std::size_t> find_light(const scene::Scene& scene, const std::string& name) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        if (scene.lights[i].name == name) {
+            return i;
+        }
+    }
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        if (std::to_string(i + 1) == name) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
+void choose_lights(scene::Scene& scene, const std::vector<std::string>& names, Diagnostics& diagnostics) {
+    std::vector<bool> wanted(scene.lights.size(), false);
+    for (const std::string& name : names) {
+        if (const std::optional<std::size_t> i = find_light(scene, name)) {
+            wanted[*i] = true;
+            continue;
+        }
+        std::vector<std::string> known;
+        for (const scene::Light& light : scene.lights) {
+            if (!light.name.empty()) {
+                known.push_back(light.name);
+            }
+        }
+        const std::string hint = did_you_mean(name, known);
+        diagnostics.error({},
+                          fmt::format("--lights: {} has no light \"{}\"{}; it has {}{}", scene.file, name, hint.empty() ? "" : ";" + hint,
+                                      scene.lights.size() == 1 ? "one light" : fmt::format("{} lights", scene.lights.size()),
+                                      known.empty() ? "" : fmt::format(": {}", fmt::join(known, ", "))));
+    }
+    if (diagnostics.has_errors()) {
+        return;
+    }
+    std::vector<scene::Light> kept;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        if (wanted[i]) {
+            kept.push_back(scene.lights[i]);
+            sum += scene.lights[i].intensity;
+        }
+    }
+    for (scene::Light& light : kept) {
+        light.intensity = sum > 0.0 ? light.intensity / sum : light.intensity;
+    }
+    scene.lights = std::move(kept);
+}
+
+std::string antialiasing_in_words(const scene::RenderSettings& settings) {
+    if (settings.antialiasing == scene::Antialiasing::adaptive) {
+        return fmt::format("adaptive, threshold {}, depth {}", settings.adaptive_threshold, settings.adaptive_depth);
+    }
+    return fmt::format("{0} x {0} samples a pixel", settings.ssaa);
+}
+
+Metadata describe(const scene::Scene& scene, const std::string& command) {
+    const scene::RenderSettings& settings = scene.settings;
+    return {
+        {"Software", "lancer " LANCER_VERSION},
+        {"lancer:version", LANCER_VERSION},
+        {"lancer:command", command},
+        {"lancer:scene", scene.file},
+        {"lancer:hash", scene.hash},
+        {"lancer:camera", scene.cameras.front().name},
+        {"lancer:integrator", settings.integrator},
+        {"lancer:bounces", fmt::format("{}", settings.bounces)},
+        {"lancer:antialiasing", antialiasing_in_words(settings)},
+        {"lancer:exposure", fmt::format("{}", settings.exposure)},
+        {"lancer:color", "linear Rec. 709 primaries, D65 white; PNG and JPEG encoded as sRGB"},
+    };
+}
+
+Tracer tracer_named(const std::optional<std::string>& name) {
+    if (name == "lanes") {
+        return Tracer::all_objects;
+    }
+    return name == "bvh" ? Tracer::tree : Tracer::automatic;
+}
+
+}  // namespace
+
+void apply_arguments(scene::Scene& scene, const RenderArguments& arguments, Diagnostics& diagnostics) {
+    scene::RenderSettings& settings = scene.settings;
+    if (arguments.size) {
+        settings.width = arguments.size->width;
+        settings.height = arguments.size->height;
+    }
+    settings.integrator = arguments.integrator.value_or(settings.integrator);
+    settings.bounces = arguments.bounces.value_or(settings.bounces);
+    settings.ssaa = arguments.ssaa.value_or(settings.ssaa);
+    settings.adaptive_threshold = arguments.adaptive_threshold.value_or(settings.adaptive_threshold);
+    settings.adaptive_depth = arguments.adaptive_depth.value_or(settings.adaptive_depth);
+    settings.exposure = arguments.exposure.value_or(settings.exposure);
+
+    // Who speaks of one kind of anti-aliasing wants that kind.
+    const bool speaks_of_adaptive = arguments.adaptive_threshold || arguments.adaptive_depth;
+    if (arguments.antialiasing) {
+        settings.antialiasing = *arguments.antialiasing == "adaptive" ? scene::Antialiasing::adaptive : scene::Antialiasing::uniform;
+        if (*arguments.antialiasing == "adaptive" && arguments.ssaa) {
+            diagnostics.note({}, "--ssaa is for --aa uniform and has no effect here");
+        } else if (*arguments.antialiasing == "uniform" && speaks_of_adaptive) {
+            diagnostics.note({}, "--adaptive-threshold and --adaptive-depth are for --aa adaptive and have no effect here");
+        }
+    } else if (speaks_of_adaptive && arguments.ssaa) {
+        diagnostics.error({}, "--ssaa is for uniform anti-aliasing and --adaptive-... for adaptive: say which with --aa");
+    } else if (speaks_of_adaptive) {
+        settings.antialiasing = scene::Antialiasing::adaptive;
+    } else if (arguments.ssaa) {
+        settings.antialiasing = scene::Antialiasing::uniform;
+    }
+
+    if (arguments.camera) {
+        choose_camera(scene, *arguments.camera, diagnostics);
+    }
+    if (!arguments.lights.empty()) {
+        choose_lights(scene, arguments.lights, diagnostics);
+    }
+}
+
+std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& arguments, const std::string& command,
+                                Diagnostics& diagnostics) {
+    apply_arguments(scene, arguments, diagnostics);
+    if (diagnostics.has_errors()) {
+        return std::nullopt;
+    }
+    const std::shared_ptr<const World> world = compile_world(scene, scene.cameras.front(), diagnostics);
+    if (world == nullptr || diagnostics.has_errors()) {
+        return std::nullopt;
+    }
+
+    Prepared prepared;
+    prepared.options.width = scene.settings.width;
+    prepared.options.height = scene.settings.height;
+    prepared.options.threads = arguments.threads.value_or(hardware_threads());
+    prepared.options.ssaa = scene.settings.ssaa;
+    prepared.options.adaptive = scene.settings.antialiasing == scene::Antialiasing::adaptive;
+    prepared.options.adaptive_threshold = scene.settings.adaptive_threshold;
+    prepared.options.adaptive_depth = scene.settings.adaptive_depth;
+    prepared.options.exposure = scene.settings.exposure;
+
+    CpuOptions cpu;
+    cpu.tracer = tracer_named(arguments.trace);
+    cpu.threads = prepared.options.threads;
+    prepared.device = make_cpu_device(world, cpu);
+    prepared.metadata = describe(scene, command);
+    prepared.scene = std::move(scene);
+    return prepared;
+}
+
+std::string render_command(const std::string& scene_file, const RenderArguments& arguments) {
+    std::vector<std::string> words = {"lancer", "render", scene_file};
+    const std::vector<std::string> options = words_of(arguments);
+    words.insert(words.end(), options.begin(), options.end());
+    return shell_quoted(words);
+}
+
+}  // namespace lancer::app

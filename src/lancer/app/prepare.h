@@ -1,0 +1,33 @@
+// From a scene and what the command line asks of it to a device that is ready to render it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lancer/app/cli/render_arguments.h"
+#include "lancer/base/diagnostic.h"
+#include "lancer/device/device.h"
+#include "lancer/image/image.h"
+#include "lancer/render/render.h"
+#include "lancer/scene/scene.h"
+
+namespace lancer::app {
+
+struct Prepared {
+    scene::Scene scene;  // as it is rendered: its settings, cameras and lights are those asked for
+    RenderOptions options;
+    std::unique_ptr<Device> device;
+    Metadata metadata;  // for every picture made of it
+};
+
+// Puts what the arguments say into the scene: its settings, one camera, only the lights that were named.
+void apply_arguments(scene::Scene& scene, const RenderArguments& arguments, Diagnostics& diagnostics);
+
+// Nothing is returned when there are errors. `command` is what a person would type for the same picture.
+std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& arguments, const std::string& command, Diagnostics& diagnostics);
+
+// As `lancer render SCENE ...` would be typed, without what does not change the picture.
+std::string render_command(const std::string& scene_file, const RenderArguments& arguments);
+
+}  // namespace lancer::app
