@@ -20,8 +20,8 @@ layout(push_constant, scalar) uniform Work {
     int count;
 } work;
 
-Hit closest_hit(const WorldRecord world, const Ray ray, bool active_) { return closest_of_all(world, ray); }
-bool occluded(const WorldRecord world, const Ray ray, bool active_) { return occluded_by_any(world, ray, active_); }
+Hit closest_hit(const WorldRecord world, const Ray ray, bool alive) { return closest_of_all(world, ray, alive); }
+bool occluded(const WorldRecord world, const Ray ray, bool alive) { return occluded_by_any(world, ray, alive); }
 
 void main() {
     int i = int(gl_GlobalInvocationID.x);

@@ -14,11 +14,32 @@ FN void keep_nearer(Float t, int object, INOUT(Hit) hit) {
     hit.object = select(nearer, Int(object), hit.object);
 }
 
-FN Hit closest_of_all(IN(WorldRecord) world, IN(Ray) ray) {
+FN TriangleHit meet_triangle(IN(WorldRecord) world, int index, IN(Ray) ray) {
+    vec3 a = AT(world.triangles, index).a;
+    vec3 b = AT(world.triangles, index).b;
+    vec3 c = AT(world.triangles, index).c;
+    return triangle_hit(broadcast(a), broadcast(b), broadcast(c), ray);
+}
+
+FN void keep_nearer_triangle(IN(WorldRecord) world, int index, int object, IN(Ray) ray, INOUT(Hit) hit) {
+    TriangleHit met = meet_triangle(world, index, ray);
+    Mask nearer = met.t < hit.t;
+    hit.u = select(nearer, met.u, hit.u);
+    hit.v = select(nearer, met.v, hit.v);
+    hit.part = select(nearer, Int(AT(world.objects, object).sub), hit.part);
+    keep_nearer(met.t, object, hit);
+}
+
+FN Float triangle_distance(IN(WorldRecord) world, int index, IN(Ray) ray) {
+    TriangleHit met = meet_triangle(world, index, ray);
+    return met.t;
+}
+
+FN Hit closest_of_all(IN(WorldRecord) world, IN(Ray) ray, Mask alive) {
     Hit hit = no_hit(ray);
     int object = 0;
     for (int i = 0; i < world.sphere_count; ++i) {
-        keep_nearer(sphere_distance(AT(world.spheres, i), ray), object, hit);
+        keep_nearer(sphere_distance(AT(world.spheres, i), ray, alive), object, hit);
         ++object;
     }
     if (world.box_count > 0) {
@@ -37,15 +58,7 @@ FN Hit closest_of_all(IN(WorldRecord) world, IN(Ray) ray) {
         ++object;
     }
     for (int i = 0; i < world.triangle_count; ++i) {
-        vec3 a = AT(world.triangles, i).a;
-        vec3 b = AT(world.triangles, i).b;
-        vec3 c = AT(world.triangles, i).c;
-        TriangleHit met = triangle_hit(broadcast(a), broadcast(b), broadcast(c), ray);
-        Mask nearer = met.t < hit.t;
-        hit.u = select(nearer, met.u, hit.u);
-        hit.v = select(nearer, met.v, hit.v);
-        hit.part = select(nearer, Int(AT(world.objects, object).sub), hit.part);
-        keep_nearer(met.t, object, hit);
+        keep_nearer_triangle(world, i, object, ray, hit);
         ++object;
     }
     return hit;
@@ -55,7 +68,7 @@ FN Mask occluded_by_any(IN(WorldRecord) world, IN(Ray) ray, Mask alive) {
     Mask open = alive;
     int object = world.sphere_count + world.box_count + world.plane_count;
     for (int i = 0; i < world.sphere_count && some(open); ++i) {
-        open = without(open, sphere_distance(AT(world.spheres, i), ray) < ray.reach);
+        open = without(open, sphere_distance(AT(world.spheres, i), ray, open) < ray.reach);
     }
     if (world.box_count > 0 && some(open)) {
         Vec3 inverse = slab_reciprocal(ray.direction);
@@ -71,10 +84,7 @@ FN Mask occluded_by_any(IN(WorldRecord) world, IN(Ray) ray, Mask alive) {
         ++object;
     }
     for (int i = 0; i < world.triangle_count && some(open); ++i) {
-        vec3 a = AT(world.triangles, i).a;
-        vec3 b = AT(world.triangles, i).b;
-        vec3 c = AT(world.triangles, i).c;
-        open = without(open, triangle_hit(broadcast(a), broadcast(b), broadcast(c), ray).t < ray.reach);
+        open = without(open, triangle_distance(world, i, ray) < ray.reach);
     }
     return without(alive, open);
 }

@@ -60,6 +60,21 @@ FN Float bits_float(Int x) { return as_float(x); }
 FN Float to_float(Int x) { return xsimd::to_float(x); }
 FN Int round_to_int(Float x) { return xsimd::nearbyint_as_int(x); }
 
+// The largest value of all lanes.
+FN float highest(Float x) {
+#if defined(__AVX512F__)
+    return _mm512_reduce_max_ps(x);
+#else
+#if defined(__AVX__)
+    const __m128 four = _mm_max_ps(_mm256_castps256_ps128(x), _mm256_extractf128_ps(x, 1));
+#else
+    const __m128 four = x;
+#endif
+    const __m128 two = _mm_max_ps(four, _mm_movehl_ps(four, four));
+    return _mm_cvtss_f32(_mm_max_ss(two, _mm_shuffle_ps(two, two, 1)));
+#endif
+}
+
 // One lane's value, and the value of the first lane that is on.
 FN float lane_of(Float x, int lane) {
     float values[LANES];

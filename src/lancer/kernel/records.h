@@ -174,6 +174,7 @@ TABLE(BandRecord, BandTable)
 TABLE(vec3, Vec3Table)
 TABLE(vec2, Vec2Table)
 TABLE(int, IntTable)
+TABLE(float, FloatTable)
 
 // Everything there is, by address.
 struct WorldRecord {
@@ -195,6 +196,11 @@ struct WorldRecord {
     LightTable lights;
     BandTable bands;
     IntTable tree;  // the device's own search tree, opaque; null where every object is tested against every ray
+    FloatTable bound_x;  // a sphere around each object of a small world, coordinate by coordinate; planes have an infinite radius
+    FloatTable bound_y;
+    FloatTable bound_z;
+    FloatTable bound_radius;
+    int object_count;
     int sphere_count;
     int box_count;
     int plane_count;

@@ -9,17 +9,18 @@ NAMESPACE_BEGIN
 
 // Distance to the first point in front of the ray's origin, from outside or inside; FAR if there is none. The direction has length 1.
 // The discriminant comes from the distance between the centre and the line, and the nearer root by division where subtraction would cancel
-// [Haines, Günther, Akenine-Möller 2019].
-FN Float sphere_distance(IN(SphereRecord) sphere, IN(Ray) ray) {
+// [Haines, Günther, Akenine-Möller 2019]. Only lanes of `alive` need an answer.
+FN Float sphere_distance(IN(SphereRecord) sphere, IN(Ray) ray, Mask alive) {
     Vec3 f = ray.origin - broadcast(sphere.center);
     Float b = -dot(f, ray.direction);
     Vec3 l = f + ray.direction * b;
     Float radius_2 = Float(sphere.radius * sphere.radius);
     Float discriminant = radius_2 - dot(l, l);
-    Mask meets = discriminant >= Float(0.0f);
+    Float c = dot(f, f) - radius_2;
+    // The line meets the sphere, and not behind an origin outside of it.
+    Mask meets = both(discriminant >= Float(0.0f), either(b > Float(0.0f), c < Float(0.0f)));
     Float t = Float(FAR);
-    if (some(meets)) {
-        Float c = dot(f, f) - radius_2;
+    if (some(both(meets, alive))) {
         Float q = b + with_sign_of(sqrt(max(discriminant, Float(0.0f))), b);
         Float other = c / q;
         Float near = min(q, other);

@@ -99,7 +99,7 @@ kernel::TriangleHit shape_hit(const kernel::WorldRecord& world, int number, cons
     const kernel::ObjectRecord& object = world.objects[number];
     kernel::TriangleHit hit{kernel::FAR, 0.0f, 0.0f};
     if (object.kind == kernel::OBJECT_SPHERE) {
-        hit.t = kernel::sphere_distance(world.spheres[object.index], ray);
+        hit.t = kernel::sphere_distance(world.spheres[object.index], ray, true);
     } else if (object.kind == kernel::OBJECT_BOX) {
         hit.t = kernel::box_distance(world.boxes[object.index], ray, kernel::slab_reciprocal(ray.direction));
     } else if (object.kind == kernel::OBJECT_TRIANGLE) {

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "lancer/world/bounds.h"
 #include "lancer/world/flatten.h"
 #include "lancer/world/materials.h"
 #include "lancer/world/shapes.h"
@@ -69,6 +70,9 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     compile_shapes(flatten(scene), *world, diagnostics);
     if (diagnostics.has_errors()) {
         return nullptr;
+    }
+    if (world->is_small()) {
+        compile_bounds(*world);
     }
     return world;
 }

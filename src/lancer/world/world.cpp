@@ -4,9 +4,6 @@ namespace lancer {
 
 namespace {
 
-// Where a tree starts to pay, in objects: measured, see docs/performance.md.
-constexpr std::size_t small_world_objects = 40;
-
 template <class T>
 std::size_t bytes(const std::vector<T>& table) {
     return table.size() * sizeof(T);
@@ -34,6 +31,11 @@ kernel::WorldRecord World::record() const {
     r.lights = lights.data();
     r.bands = bands.data();
     r.tree = nullptr;
+    r.bound_x = bound_x.data();
+    r.bound_y = bound_y.data();
+    r.bound_z = bound_z.data();
+    r.bound_radius = bound_radius.data();
+    r.object_count = static_cast<int>(objects.size());
     r.sphere_count = static_cast<int>(spheres.size());
     r.box_count = static_cast<int>(boxes.size());
     r.plane_count = static_cast<int>(planes.size());

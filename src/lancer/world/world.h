@@ -8,6 +8,9 @@
 
 namespace lancer {
 
+// The most objects that are tested without a tree: one bit each in a mask of 64. See docs/performance.md.
+constexpr std::size_t small_world_objects = 64;
+
 // Owns the tables; `record()` points into them, so a World stays where it was made.
 class World {
 public:
@@ -33,6 +36,12 @@ public:
     std::vector<kernel::LightRecord> lights;
     std::vector<kernel::BandRecord> bands;
 
+    // A sphere around each object, for small worlds only; padded to a multiple of 16 by spheres that nothing meets.
+    std::vector<float> bound_x;
+    std::vector<float> bound_y;
+    std::vector<float> bound_z;
+    std::vector<float> bound_radius;
+
     kernel::CameraRecord camera{};
     kernel::vec3 ambient{0.0f};
     kernel::vec3 zenith{0.0f};
@@ -47,7 +56,7 @@ public:
     // Bytes held by the tables.
     std::size_t memory() const;
 
-    // Few enough objects to test them all against every ray: no mesh is left as an instance, and the count is small.
+    // Few enough objects to do without a tree: no mesh is left as an instance, and there are no more than small_world_objects.
     bool is_small() const;
 };
 

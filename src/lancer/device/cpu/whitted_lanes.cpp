@@ -1,6 +1,6 @@
 // Compiled once for each instruction set: the Whitted integrator on as many rays as a register holds.
 #include "lancer/device/cpu/follow.h"
-#include "lancer/kernel/all_objects.h"
+#include "lancer/device/cpu/near_objects.h"
 #include "lancer/kernel/whitted.h"
 #include "lancer/trace/packet.h"
 
@@ -22,7 +22,7 @@ FN TracePacket to_packet(IN(Ray) ray, Mask alive) {
 
 Hit closest_hit(IN(WorldRecord) world, IN(Ray) ray, Mask alive) {
     if (world.tree == nullptr) {
-        return closest_of_all(world, ray);
+        return closest_of_near(world, ray, alive);
     }
     TracePacket p = to_packet(ray, alive);
     trace_closest(world, p);
@@ -37,7 +37,7 @@ Hit closest_hit(IN(WorldRecord) world, IN(Ray) ray, Mask alive) {
 
 Mask occluded(IN(WorldRecord) world, IN(Ray) ray, Mask alive) {
     if (world.tree == nullptr) {
-        return occluded_by_any(world, ray, alive);
+        return occluded_by_near(world, ray, alive);
     }
     TracePacket p = to_packet(ray, alive);
     trace_occluded(world, p);
