@@ -21,7 +21,7 @@ install_missing() {
         [[ -n $package && $wanted == *" $kind "* ]] && packages+=("$package")
     done < <(sed 's/#.*//' "$top/cmake/packages.txt")
     local installed
-    installed=$'\n'$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null)$'\n'
+    installed=$'\n'$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null || true)$'\n'
     local missing=()
     for package in "${packages[@]}"; do
         [[ $installed == *$'\n'"installed $package"$'\n'* ]] || missing+=("$package")
