@@ -175,12 +175,13 @@ TEST_F(ImageFiles, MetadataIsInTheFile) {
     const std::string command = "lancer render \"scène.toml\" -o a";
     const Metadata metadata = {
         {"Software", "lancer 1.2.3"}, {"lancer:command", command}, {"lancer:hash", "0123abcd"}, {"channels", "many"}};
-    for (const char* ending : {".png", ".exr", ".tif", ".jpg"}) {
+    for (const char* ending : {".png", ".exr", ".tif", ".jpg", ".hdr"}) {
         write_image(path(std::string("a") + ending), gradient(16, 16, 3), metadata);
         const std::string bytes = bytes_of(path(std::string("a") + ending));
         for (const char* words : {"Software", "lancer 1.2.3", "lancer:command", command.c_str(), "lancer:hash", "0123abcd", "many"}) {
-            if (std::strcmp(words, "Software") == 0 && std::strlen(ending) == 4 && ending[1] != 'p' && ending[1] != 'e') {
-                continue;  // a number there
+            const bool spelled = ending == std::string(".png") || ending == std::string(".exr");
+            if (std::strcmp(words, "Software") == 0 && !spelled) {
+                continue;  // a number, or in capitals
             }
             EXPECT_NE(bytes.find(words), std::string::npos) << words << " in " << ending;
         }
@@ -206,6 +207,33 @@ TEST_F(ImageFiles, ExrKeepsWhatHalfCannotHold) {
     write_image(path("b.exr"), image, {});
     EXPECT_TRUE(std::isinf(read_image(path("b.exr")).pixels[5]));
     EXPECT_LT(fs::file_size(path("b.exr")), fs::file_size(path("a.exr")));
+}
+
+TEST_F(ImageFiles, HdrHoldsEveryWidthAndRange) {
+    for (const int width : {1, 7, 8, 9, 127, 128, 129, 300, 1000}) {
+        Image image = gradient(width, 3, 3);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+            image.pixels[i] =
+                (i / 3) % 50 < 20 ? 0.5f : image.pixels[i] * std::ldexp(1.0f, static_cast<int>(i / 3 % 80) - 40);  // runs, too
+        }
+        write_image(path("a.hdr"), image, {});
+        const Image read = read_image(path("a.hdr"));
+        ASSERT_EQ(read.width, width);
+        for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+            const float largest = std::max({image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]});
+            for (std::size_t c = 0; c < 3; ++c) {
+                ASSERT_NEAR(read.pixels[i + c], image.pixels[i + c], largest / 255.0f) << width << " at " << i;
+            }
+        }
+    }
+    const float infinite = std::numeric_limits<float>::infinity();
+    write_image(path("b.hdr"), Image{2, 1, 3, {infinite, -infinite, std::nanf(""), -1.0f, 1e-44f, 3e38f}}, {});
+    const Image odd = read_image(path("b.hdr"));
+    EXPECT_GT(odd.pixels[0], 1e38f);
+    EXPECT_EQ(odd.pixels[1], 0.0f);
+    EXPECT_EQ(odd.pixels[2], 0.0f);
+    EXPECT_EQ(odd.pixels[3], 0.0f);
+    EXPECT_GT(odd.pixels[5], 1e38f);
 }
 
 TEST_F(ImageFiles, EncodingCanBeTold) {

@@ -17,7 +17,7 @@ std::vector<std::uint8_t> quantise_srgb(const Image& image);
 // Whether the last channel is alpha.
 inline bool has_alpha(const Image& image) { return image.channels == 2 || image.channels == 4; }
 
-// The image without its alpha; grey is repeated to three channels where `as_rgb`.
+// The image without its alpha; grey is repeated to three channels if `as_rgb`.
 Image without_alpha(const Image& image, bool as_rgb);
 
 }  // namespace lancer

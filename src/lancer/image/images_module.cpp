@@ -49,10 +49,10 @@ const LancerImages& load() {
             for (const fs::path& folder : folders) {
                 searched.push_back(folder.lexically_normal().string());
             }
-            throw MachineFailure(
-                fmt::format("{}, the part of lancer that reads images and writes JPEG, HDR and TIFF, was not found in {}; it is built "
-                            "when the Debian package libopenimageio-dev is installed",
-                            file_name, fmt::join(searched, ", ")));
+            throw MachineFailure(fmt::format(
+                "{}, the part of lancer that reads images other than PNG and writes JPEG and TIFF, was not found in {}; it is built "
+                "when the Debian package libopenimageio-dev is installed",
+                file_name, fmt::join(searched, ", ")));
         }
         throw MachineFailure(fmt::format("cannot load {}: {}; it needs OpenImageIO, the Debian package libopenimageio2.4", found.string(),
                                          reason ? reason : "unknown reason"));

@@ -22,8 +22,6 @@ std::string image_format(std::string_view first_bytes, std::string_view ending) 
         {"II+\0"sv, "tiff"},
         {"MM\0+"sv, "tiff"},
         {"BM"sv, "bmp"},
-        {"GIF87a"sv, "gif"},
-        {"GIF89a"sv, "gif"},
         {"DDS "sv, "dds"},
     };
     for (const Signature& signature : signatures) {
@@ -47,7 +45,7 @@ bool exr_attributes_fit(const std::string& path, std::uint64_t file_bytes) {
     std::array<char, 8> preamble{};  // magic number and version
     file.read(preamble.data(), preamble.size());
     const int last_empty_name = (preamble[5] & 0x10) != 0 ? 2 : 1;  // of several parts, or of one
-    const auto skip_name = [&file] {  // the length of a zero-terminated name
+    const auto skip_name = [&file] {                                // the length of a zero-terminated name
         int length = 0;
         while (file && file.get() > 0) {
             ++length;

@@ -8,6 +8,7 @@
 #include "lancer/base/file.h"
 #include "lancer/image/encode.h"
 #include "lancer/image/exr.h"
+#include "lancer/image/hdr.h"
 #include "lancer/image/image.h"
 #include "lancer/image/images_module.h"
 #include "lancer/image/png.h"
@@ -50,7 +51,7 @@ std::string encode(const std::string& ending, const Image& image, const Metadata
         return encode_by_module("jpeg", without_alpha(image, false), metadata);
     }
     if (ending == ".hdr") {
-        return encode_by_module("hdr", without_alpha(image, true), metadata);
+        return encode_hdr(image, metadata);
     }
     if (ending == ".tif" || ending == ".tiff") {
         return encode_by_module("tiff", image, metadata);

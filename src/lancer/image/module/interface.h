@@ -24,7 +24,7 @@ struct LancerText {
 };
 
 struct LancerImageToWrite {
-    const char* format;  // "jpeg", "hdr", "tiff"
+    const char* format;  // "jpeg", "tiff"
     std::int32_t width;
     std::int32_t height;
     std::int32_t channels;
