@@ -25,7 +25,7 @@ bool check_positions(const scene::TriangleMesh& mesh, MeshMessages& messages, in
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const glm::vec3& p = mesh.positions[i];
         if (!within_reach(p)) {
-            messages.error(line, column, fmt::format("vertex {} at ({}, {}, {}) is out of reach: coordinates must be finite and at most {} m", i, p.x,
+            messages.error(line, column, fmt::format("vertex {} at ({}, {}, {}) is out of reach: coordinates must be finite and at most {:g} m", i, p.x,
                                                      p.y, p.z, farthest));
             return false;
         }
@@ -112,12 +112,16 @@ void repair_uvs(scene::TriangleMesh& mesh, MeshMessages& messages, int line, int
 }  // namespace
 
 bool check_mesh(scene::TriangleMesh& mesh, MeshMessages& messages, int line, int column) {
+    if (mesh.triangles.empty()) {
+        messages.error(line, column, "this mesh has no triangles");
+        return false;
+    }
     if (messages.has_errors() || !check_corners(mesh, messages, line, column) || !check_positions(mesh, messages, line, column)) {
         return false;
     }
     leave_out_needles(mesh, messages, line, column);
     if (mesh.triangles.empty()) {
-        messages.error(line, column, "this mesh has no triangles");
+        messages.error(line, column, "this mesh has no triangle with an area");
         return false;
     }
     repair_normals(mesh, messages, line, column);

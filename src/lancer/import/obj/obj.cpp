@@ -1,11 +1,7 @@
 #include "lancer/import/obj/obj.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
-#include <functional>
-#include <unordered_map>
+#include <bit>
 
 #include <glm/geometric.hpp>
 
@@ -21,17 +17,6 @@ using obj::absent;
 using obj::Corner;
 using obj::Statements;
 
-struct CornerHash {
-    std::size_t operator()(const std::array<std::int32_t, 3>& key) const {
-        std::uint64_t h = 0;
-        for (std::int32_t number : key) {
-            h = (h ^ static_cast<std::uint32_t>(number)) * 0x9e3779b97f4a7c15u;
-            h ^= h >> 29;
-        }
-        return static_cast<std::size_t>(h);
-    }
-};
-
 // An OBJ corner has three numbers, a vertex of ours has one: equal corners become one vertex.
 class Welder {
 public:
@@ -42,37 +27,77 @@ public:
         }
         if (plain()) {
             mesh_.positions = statements.positions;
+        } else {
+            slots_.assign(std::bit_ceil(2 * statements.positions.size() + 16), empty);
         }
     }
 
     bool plain() const { return !has_uvs_ && !has_normals_; }
 
     // A corner without a normal, in a mesh that has some, gets `face`'s number for one: it has the normal of its face to itself.
-    std::uint32_t vertex(const Corner& corner, std::size_t face, const glm::vec3& face_normal) {
+    std::uint32_t vertex(Corner corner, std::size_t face, const glm::vec3& face_normal) {
         if (plain()) {
             return static_cast<std::uint32_t>(corner.position);
         }
         const bool own = has_normals_ && corner.normal == absent;
-        const std::int32_t normal = own ? -2 - static_cast<std::int32_t>(face) : corner.normal;
-        const auto [found, is_new] = vertices_.try_emplace({corner.position, corner.uv, normal}, static_cast<std::uint32_t>(mesh_.positions.size()));
-        if (is_new) {
-            mesh_.positions.push_back(statements_.positions[static_cast<std::size_t>(corner.position)]);
-            if (has_uvs_) {
-                mesh_.uvs.push_back(corner.uv == absent ? glm::vec2(0.0f) : statements_.uvs[static_cast<std::size_t>(corner.uv)]);
-            }
-            if (has_normals_) {
-                mesh_.normals.push_back(own ? face_normal : statements_.normals[static_cast<std::size_t>(corner.normal)]);
-            }
+        if (own) {
+            corner.normal = -2 - static_cast<std::int32_t>(face);
         }
-        return found->second;
+        std::uint32_t& slot = find_slot(corner);
+        if (slot != empty) {
+            return slot;
+        }
+        const std::uint32_t number = static_cast<std::uint32_t>(corners_.size());
+        slot = number;
+        corners_.push_back(corner);
+        mesh_.positions.push_back(statements_.positions[static_cast<std::size_t>(corner.position)]);
+        if (has_uvs_) {
+            mesh_.uvs.push_back(corner.uv == absent ? glm::vec2(0.0f) : statements_.uvs[static_cast<std::size_t>(corner.uv)]);
+        }
+        if (has_normals_) {
+            mesh_.normals.push_back(own ? face_normal : statements_.normals[static_cast<std::size_t>(corner.normal)]);
+        }
+        if (2 * corners_.size() > slots_.size()) {
+            grow();
+        }
+        return number;
     }
 
 private:
+    static constexpr std::uint32_t empty = 0xffffffffu;
+
+    static std::size_t scatter(const Corner& corner) {
+        std::uint64_t h = 0;
+        for (std::int32_t number : {corner.position, corner.uv, corner.normal}) {
+            h = (h ^ static_cast<std::uint32_t>(number)) * 0x9e3779b97f4a7c15u;
+            h ^= h >> 29;
+        }
+        return static_cast<std::size_t>(h);
+    }
+
+    // Open addressing: the slot of the vertex with this corner, or the empty one where it belongs.
+    std::uint32_t& find_slot(const Corner& corner) {
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t at = scatter(corner) & mask;
+        while (slots_[at] != empty && corners_[slots_[at]] != corner) {
+            at = (at + 1) & mask;
+        }
+        return slots_[at];
+    }
+
+    void grow() {
+        slots_.assign(2 * slots_.size(), empty);
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            find_slot(corners_[i]) = static_cast<std::uint32_t>(i);
+        }
+    }
+
     const Statements& statements_;
     scene::TriangleMesh& mesh_;
     bool has_uvs_ = false;
     bool has_normals_ = false;
-    std::unordered_map<std::array<std::int32_t, 3>, std::uint32_t, CornerHash> vertices_;
+    std::vector<Corner> corners_;       // of each vertex
+    std::vector<std::uint32_t> slots_;  // numbers of vertices; the count is a power of two, at least twice the vertices
 };
 
 scene::TriangleMesh build(const Statements& statements) {

@@ -20,6 +20,8 @@ struct Corner {
     std::int32_t position = absent;
     std::int32_t uv = absent;
     std::int32_t normal = absent;
+
+    bool operator==(const Corner&) const = default;
 };
 
 struct Statements {

@@ -125,11 +125,9 @@ private:
         const bool has_corners = meaning == Meaning::faces || meaning == Meaning::strips;
         const int corners = has_corners ? corner_list(element) : -1;
         const Property& first = element.properties.front();
-        if (meaning == Meaning::faces) {
-            data_.mesh.triangles.reserve(static_cast<std::size_t>(element.count));
-            if (element.properties.size() == 1 && corners == 0 && first.count_type == Type::uint8 && size_of(first.type) == 4 && !swapped_) {
-                return read_plain_faces(element);
-            }
+        if (meaning == Meaning::faces && element.properties.size() == 1 && corners == 0 && first.count_type == Type::uint8 &&
+            size_of(first.type) == 4 && !swapped_) {
+            return read_plain_faces(element);
         }
         Columns columns;
         columns.fill(-1);
@@ -150,22 +148,29 @@ private:
         return true;
     }
 
-    // By far the most common: a byte that counts, and whole numbers of four bytes.
+    // By far the most common: a byte that counts, and whole numbers of four bytes; and of these, triangles.
     bool read_plain_faces(const Element& element) {
-        for (std::uint64_t i = 0; i < element.count; ++i) {
-            if (left() < 1) {
-                return ended_early(element, i);
-            }
+        std::vector<glm::uvec3>& triangles = data_.mesh.triangles;
+        std::size_t filled = triangles.size();
+        constexpr std::size_t smallest = 1 + sizeof(glm::uvec3);  // of a triangle: no more than that fit into what is left
+        triangles.resize(filled + std::min(static_cast<std::size_t>(element.count), left() / smallest));
+        std::uint64_t i = 0;
+        for (; i < element.count && left() > 0; ++i) {
             const std::size_t count = static_cast<unsigned char>(*at_);
             if (left() < 1 + 4 * count) {
-                return ended_early(element, i);
+                break;
             }
-            std::uint32_t numbers[255];
-            std::memcpy(numbers, at_ + 1, 4 * count);
-            data_.add_face(numbers, count);
+            if (count == 3) {
+                std::memcpy(&triangles[filled++], at_ + 1, sizeof(glm::uvec3));
+            } else {
+                std::uint32_t numbers[255];
+                std::memcpy(numbers, at_ + 1, 4 * count);
+                data_.add_large_face(numbers, count);
+            }
             at_ += 1 + 4 * count;
         }
-        return true;
+        triangles.resize(filled);
+        return i == element.count || ended_early(element, i);
     }
 
     bool read_list(const Element& element, const Property& property, std::uint64_t i, Meaning meaning) {

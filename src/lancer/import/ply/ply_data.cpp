@@ -7,7 +7,13 @@ namespace lancer::ply {
 void Data::add_face(const std::uint32_t* numbers, std::size_t count) {
     if (count == 3) {
         mesh.triangles.push_back({numbers[0], numbers[1], numbers[2]});
-    } else if (count > 3) {
+    } else {
+        add_large_face(numbers, count);
+    }
+}
+
+void Data::add_large_face(const std::uint32_t* numbers, std::size_t count) {
+    if (count > 3) {
         corners.insert(corners.end(), numbers, numbers + count);
         face_ends.push_back(corners.size());
     } else {

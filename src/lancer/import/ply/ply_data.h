@@ -25,6 +25,7 @@ struct Data {
     std::size_t small_faces = 0;          // with less than three corners, left out
 
     void add_face(const std::uint32_t* numbers, std::size_t count);
+    void add_large_face(const std::uint32_t* numbers, std::size_t count);  // or one with less than three corners
     // Three vertices in a row make a triangle, every second one turned round; -1 begins a new strip.
     void add_strip(const std::uint32_t* numbers, std::size_t count);
 };

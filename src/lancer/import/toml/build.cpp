@@ -51,7 +51,7 @@ bool reaches_too_far(const scene::Bounds& bounds) {
 // Each transform alone is within limits; together they may still leave what single precision can hold.
 void check_reach(Messages& messages, const std::vector<scene::Object>& objects, const std::vector<scene::Placement>& placements,
                  const std::vector<scene::Bounds>& groups) {
-    const std::string message = fmt::format("this reaches further than {} m from the origin", farthest);
+    const std::string message = fmt::format("this reaches further than {:g} m from the origin", farthest);
     for (const scene::Object& object : objects) {
         if (reaches_too_far(scene::transform(object.to_parent, scene::bounds(object.shape)))) {
             messages.error(object.position, message);

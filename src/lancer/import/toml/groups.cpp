@@ -26,7 +26,7 @@ struct Member {
     Contents contents;
     // Known once everything that it places is in order:
     int index = -1;             // into Scene::groups
-    int depth = 1;              // of groups in groups
+    int depth = 1;              // of groups in groups; the whole scene is no group and begins with 0
     std::uint64_t objects = 0;  // with those of its placements, and one for each placement
     double scale = 1.0;         // how much it shrinks something at most
 };
@@ -45,6 +45,9 @@ public:
             refuse_too_much();
         }
         emit(whole_, context_.scene.objects, context_.scene.placements);
+        if (context_.messages.diagnostics().has_errors()) {
+            return;  // who places what is not certain
+        }
         for (const Member& member : members_) {
             if (!member.name.empty() && !used_.contains(member.name)) {
                 context_.messages.warning(member.position, fmt::format("group \"{}\" is never placed", member.name));
@@ -172,13 +175,14 @@ private:
 
     // Depth, number and size of everything inside; false after an error.
     bool sum_up(Member& member) {
+        const int own_level = member.depth;
         member.objects = member.contents.objects.size();
         for (const scene::Object& object : member.contents.objects) {
             member.scale = std::min(member.scale, shrinking(object.to_parent));
         }
         for (const NamedPlacement& named : member.contents.placements) {
             const Member& inside = members_[static_cast<std::size_t>(named.placement.group)];
-            member.depth = std::max(member.depth, inside.depth + 1);
+            member.depth = std::max(member.depth, inside.depth + own_level);
             member.objects = std::min(member.objects + inside.objects + 1, 2 * most_objects);
             member.scale = std::min(member.scale, shrinking(named.placement.to_parent) * inside.scale);
             if (too_much_said_) {

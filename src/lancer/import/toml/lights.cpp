@@ -92,9 +92,12 @@ void share_out(Messages& messages, std::vector<ReadLight>& all) {
         }
     }
     const double sum = std::accumulate(all.begin(), all.end(), 0.0, [](double s, const ReadLight& read) { return s + read.light.intensity; });
-    if (!all.empty() && sum == 0.0) {
+    if (all.empty() || messages.diagnostics().has_errors()) {
+        return;
+    }
+    if (sum == 0.0) {
         messages.warning(all.front().light.position, "the intensities of all lights are 0");
-    } else if (!all.empty() && std::abs(sum - 1.0) > 1e-6) {
+    } else if (std::abs(sum - 1.0) > 1e-6) {
         messages.note(all.front().light.position, fmt::format("the intensities of the lights are shares that should sum to 1, not {:.6g}; they are scaled", sum));
         for (ReadLight& read : all) {
             read.light.intensity /= sum;

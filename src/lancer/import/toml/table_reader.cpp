@@ -27,9 +27,9 @@ bool check_number(Messages& messages, const toml::node& node, const Key& key, do
     } else if (!key.range.holds(number)) {
         messages.error(position, fmt::format("\"{}\" must be {}{}, not {}", key.name, to_words(key.range), with_unit(key), number));
     } else if (is_length(key) && std::abs(number) > longest) {
-        messages.error(position, fmt::format("\"{}\" is too large: lengths may be up to {} m, not {}", key.name, longest, number));
+        messages.error(position, fmt::format("\"{}\" is too large: lengths may be up to {:g} m, not {}", key.name, longest, number));
     } else if (is_length(key) && key.range.least == 0.0 && number > 0.0 && number < shortest) {
-        messages.error(position, fmt::format("\"{}\" is too small: lengths must be at least {} m, not {}", key.name, shortest, number));
+        messages.error(position, fmt::format("\"{}\" is too small: lengths must be at least {:g} m, not {}", key.name, shortest, number));
     } else {
         return true;
     }

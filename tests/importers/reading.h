@@ -1,0 +1,83 @@
+// Reading scenes from strings, and what was said about them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lancer/import/import.h"
+
+namespace lancer::testing {
+
+struct Reading {
+    std::optional<scene::Scene> scene;
+    std::vector<std::string> messages;
+
+    std::string all() const {
+        std::string text;
+        for (const std::string& message : messages) {
+            text += message + "\n";
+        }
+        return text;
+    }
+};
+
+inline Reading gather(std::optional<scene::Scene> scene, const Diagnostics& diagnostics) {
+    Reading reading{std::move(scene), {}};
+    for (const Diagnostic& diagnostic : diagnostics.list()) {
+        reading.messages.push_back(to_string(diagnostic));
+    }
+    return reading;
+}
+
+inline Reading read_text(std::string_view text, const std::string& path = "scene.toml") {
+    Diagnostics diagnostics;
+    auto scene = import_toml(text, path, diagnostics);
+    return gather(std::move(scene), diagnostics);
+}
+
+inline Reading read_path(const std::string& path) {
+    Diagnostics diagnostics;
+    auto scene = import_scene(path, diagnostics);
+    return gather(std::move(scene), diagnostics);
+}
+
+// A text that must be fine, with a light and a shape added so that it is a whole scene.
+inline scene::Scene read_part(const std::string& part) {
+    const Reading reading = read_text(part + "\n[[light]]\ntype = 'point'\nposition = [0, 5, 0]\n");
+    EXPECT_TRUE(reading.scene) << reading.all();
+    return reading.scene.value_or(scene::Scene{});
+}
+
+// A folder of its own, gone afterwards.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "lancer-test-XXXXXX").string();
+        path_ = ::mkdtemp(pattern.data());
+    }
+    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::string write(const std::string& name, std::string_view bytes) const {
+        const std::string path = (path_ / name).string();
+        std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        return path;
+    }
+    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+private:
+    std::filesystem::path path_;
+};
+
+inline std::filesystem::path source_folder() { return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path(); }
+
+}  // namespace lancer::testing
