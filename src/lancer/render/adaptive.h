@@ -18,7 +18,7 @@
 namespace lancer {
 
 struct AdaptiveOptions {
-    double threshold = 0.05;  // largest difference of a channel's display values, in [0, 1], that is left uncut
+    double threshold = 0.02;  // largest difference of a channel's display values, in [0, 1], that is left uncut
     int depth = 3;            // a pixel's cells are at least 2^-depth pixels wide
 };
 

@@ -265,7 +265,7 @@ const Table& render() {
          {"bounces", Kind::integer, 5.0, Range{0.0, 64.0}, "", "Reflections and refractions after the first hit."},
          {"ssaa", Kind::integer, 1.0, Range{1.0, 64.0}, "", "Supersampling: ssaa x ssaa samples a pixel."},
          {"aa", Kind::choice, "uniform", any, "", "The same samples for every pixel, or more where neighbours differ.", false, {"uniform", "adaptive"}},
-         {"adaptive_threshold", Kind::number, 0.05, Range{0.0, 1.0}, "", "The difference of display values that makes a cell be cut in four."},
+         {"adaptive_threshold", Kind::number, 0.02, Range{0.0, 1.0}, "", "The difference of display values that makes a cell be cut in four."},
          {"adaptive_depth", Kind::integer, 3.0, Range{0.0, 8.0}, "", "How often a cell is cut at most."},
          {"wavelengths", Kind::integer, 48.0, Range{1.0, 1024.0}, "", "How many carry a path through glass that spreads colours."},
          {"exposure", Kind::number, 0.0, Range{-100.0, 100.0}, "stops", "Brightens the picture by 2^exposure."}}};
