@@ -89,8 +89,8 @@ void write_sample_map(const std::string& path, const Film& film, const Metadata&
     const bool linear = is_linear(path);
     for (const std::uint32_t count : film.samples) {
         const float number = static_cast<float>(count);
-        // The file is encoded as sRGB: undone here, so that the grey on the display grows evenly with the number.
-        image.pixels.push_back(linear ? number : srgb_decode(number / static_cast<float>(most)));
+        // The file is encoded as sRGB: undone here. The root lifts the many pixels with few samples out of the dark.
+        image.pixels.push_back(linear ? number : srgb_decode(std::sqrt(number / static_cast<float>(most))));
     }
     write_image(path, image, metadata);
 }

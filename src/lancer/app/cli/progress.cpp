@@ -24,10 +24,10 @@ ProgressStyle choose_progress(const std::optional<std::string>& wanted, bool qui
 }
 
 std::string in_words(double seconds) {
-    if (seconds < 9.995) {
+    const long whole = std::lround(seconds);
+    if (seconds < 9.995 && seconds != static_cast<double>(whole)) {
         return fmt::format("{:.{}f} s", seconds, seconds < 0.9995 ? 3 : 2);
     }
-    const long whole = std::lround(seconds);
     if (whole < 60) {
         return fmt::format("{} s", whole);
     }
@@ -64,12 +64,12 @@ void ProgressPrinter::show(double share, double seconds, double seconds_left, co
                    seconds_left);
     } else if (style_ == ProgressStyle::plain) {
         fmt::print(stderr, "{}: {:.0f} %{}{}, {} left\n", what_, std::floor(share * 100.0), rate.empty() ? "" : ", ", rate,
-                   in_words(seconds_left));
+                   in_words(std::ceil(seconds_left)));
     } else {
         constexpr int cells = 24;
         const int full = std::clamp(static_cast<int>(share * cells), 0, cells);
         fmt::print(stderr, "\r{} [{:#<{}}{:-<{}}] {:3.0f} %{}{}, {} left\033[K", what_, "", full, "", cells - full,
-                   std::floor(share * 100.0), rate.empty() ? "" : "  ", rate, in_words(seconds_left));
+                   std::floor(share * 100.0), rate.empty() ? "" : "  ", rate, in_words(std::ceil(seconds_left)));
         drawn_ = true;
     }
     std::fflush(stderr);

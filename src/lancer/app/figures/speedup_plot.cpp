@@ -56,7 +56,8 @@ Drawing plot_speedup(const std::vector<Timing>& timings) {
         measured.points.push_back(place(timing.threads, speedup));
         drawing.dots.push_back({measured.points.back(), 4.5, blue});
         if (timings.size() <= 12) {
-            drawing.words.push_back({fmt::format("{:.3g} s", timing.seconds), measured.points.back() + glm::dvec2(0.0, 22.0), 13.0,
+            drawing.words.push_back({fmt::format("{:.3g} s", timing.seconds),
+                                     measured.points.back() + glm::dvec2(timing.threads == 1 ? 10.0 : 0.0, 24.0), 13.0,
                                      timing.threads == 1      ? Drawing::Align::left
                                      : timing.threads == last ? Drawing::Align::right
                                                               : Drawing::Align::middle,

@@ -159,7 +159,7 @@ private:
                 static_cast<double>(progress.pixels_done) / static_cast<double>(std::max<std::int64_t>(1, progress.pixels_total));
             state = fmt::format("{:.0f} %", std::floor(100.0 * share));
             if (progress.seconds > 1.0) {
-                state += fmt::format(", {} left", in_words(std::ceil(progress.seconds_left)));
+                state += fmt::format(", {:.0f} s left", std::ceil(progress.seconds_left));
             }
         }
         set_title(state);
