@@ -15,6 +15,7 @@
 
 #include "lancer/base/failure.h"
 #include "lancer/image/encode.h"
+#include "lancer/image/images_module.h"
 #include "lancer/image/replace_file.h"
 
 namespace {
@@ -342,6 +343,15 @@ TEST_F(ImageFiles, TheFirstBytesDecideTheFormat) {
     write_image(path("a.png"), gradient(5, 3, 3), {});
     fs::rename(path("a.png"), path("a.jpg"));
     EXPECT_EQ(read_image(path("a.jpg")).width, 5);
+}
+
+TEST_F(ImageFiles, MissingModuleNamesThePackage) {
+    const auto words = [&] { return message_of<MachineFailure>([&] { load_images_module({folder_.string()}); }); };
+    EXPECT_NE(words().find("libopenimageio-dev"), std::string::npos) << words();
+    EXPECT_NE(words().find(folder_.string()), std::string::npos) << words();
+    put(path("lancer_images.so"), "no library");
+    EXPECT_NE(words().find("cannot load " + path("lancer_images.so")), std::string::npos) << words();
+    EXPECT_NE(words().find("libopenimageio2.4"), std::string::npos) << words();
 }
 
 // Cut anywhere, or with any byte changed: an image or a message, never anything else.

@@ -5,8 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "lancer/base/failure.h"
 
@@ -17,57 +15,63 @@ namespace fs = std::filesystem;
 
 constexpr const char* file_name = "lancer_images.so";
 
-std::vector<fs::path> places() {
-    std::vector<fs::path> folders;
+std::vector<std::string> module_folders() {
+    std::vector<std::string> folders;
     std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
     if (!error) {
-        folders.push_back(program.parent_path());
-        folders.push_back(program.parent_path() / LANCER_MODULES_FROM_PROGRAM);  // bin/../lib/lancer, wherever the installation was moved
+        folders.push_back(program.string());
+        // bin/../lib/lancer, wherever the installation was moved.
+        folders.push_back((program / LANCER_MODULES_FROM_PROGRAM).lexically_normal().string());
     }
-    folders.emplace_back(LANCER_MODULES_INSTALLED);  // for other programs that link the installed libraries
     folders.emplace_back(LANCER_MODULES_BUILT);      // for the tests
+    folders.emplace_back(LANCER_MODULES_INSTALLED);  // for other programs that link the installed libraries
     return folders;
 }
 
-const LancerImages& load() {
-    const std::vector<fs::path> folders = places();
-    fs::path found = file_name;  // the system's search
-    for (const fs::path& folder : folders) {
-        std::error_code error;
-        if (fs::is_regular_file(folder / file_name, error)) {
-            found = folder / file_name;
-            break;
-        }
-    }
-    // Never unloaded: OpenImageIO has threads of its own.
-    void* const module = ::dlopen(found.c_str(), RTLD_NOW | RTLD_LOCAL);
+// Null and a sentence when the file can't be used. A module is never unloaded: OpenImageIO has threads of its own.
+const LancerImages* open_module(const std::string& file, std::string& problem) {
+    void* const module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!module) {
         const char* const reason = ::dlerror();
-        if (found == file_name) {
-            std::vector<std::string> searched;
-            for (const fs::path& folder : folders) {
-                searched.push_back(folder.lexically_normal().string());
-            }
-            throw MachineFailure(fmt::format(
-                "{}, the part of lancer that reads images other than PNG and writes JPEG and TIFF, was not found in {}; it is built "
-                "when the Debian package libopenimageio-dev is installed",
-                file_name, fmt::join(searched, ", ")));
-        }
-        throw MachineFailure(fmt::format("cannot load {}: {}; it needs OpenImageIO, the Debian package libopenimageio2.4", found.string(),
-                                         reason ? reason : "unknown reason"));
+        problem = fmt::format("cannot load {}: {}; it needs OpenImageIO, the Debian package libopenimageio2.4", file,
+                              reason ? reason : "for an unknown reason");
+        return nullptr;
     }
-    const auto* const interface = static_cast<const LancerImages*>(::dlsym(module, "lancer_images"));
-    if (!interface || interface->version != lancer_images_version) {
-        throw MachineFailure(fmt::format("{} belongs to another version of lancer", found.string()));
+    const auto* const images = static_cast<const LancerImages*>(::dlsym(module, "lancer_images"));
+    if (!images || images->version != lancer_images_version) {
+        problem = fmt::format("{} belongs to another version of lancer", file);
+        return nullptr;
     }
-    return *interface;
+    return images;
 }
 
 }  // namespace
 
+const LancerImages& load_images_module(const std::vector<std::string>& folders) {
+    std::string problem;
+    for (const std::string& folder : folders) {
+        std::error_code error;
+        const fs::path file = fs::path(folder) / file_name;
+        if (!fs::is_regular_file(file, error)) {
+            continue;
+        }
+        if (const LancerImages* const images = open_module(file.string(), problem)) {
+            return *images;
+        }
+    }
+    std::string ignored;
+    if (const LancerImages* const images = open_module(file_name, ignored)) {
+        return *images;
+    }
+    throw MachineFailure(!problem.empty() ? problem
+                                          : fmt::format("{}, the part of lancer that reads images other than PNG and writes JPEG and TIFF, "
+                                                        "is not in {}; it is built when the Debian package libopenimageio-dev is installed",
+                                                        file_name, fmt::join(folders, ", ")));
+}
+
 const LancerImages& images_module() {
-    static const LancerImages& module = load();
+    static const LancerImages& module = load_images_module(module_folders());
     return module;
 }
 

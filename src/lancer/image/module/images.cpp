@@ -17,14 +17,24 @@ namespace oiio = OIIO;
 
 void say(void* receiver, LancerSink sink, std::string_view words) { sink(receiver, words.data(), words.size()); }
 
-// The library's messages may take several lines; the first says what is wrong.
-std::string first_line(std::string message, const char* otherwise) {
+// What OpenImageIO says, in one line and without the path, which the caller knows better.
+std::string plain(std::string message, std::string_view path, const char* otherwise) {
     message = message.substr(0, message.find('\n'));
+    std::string quoted(1, '"');
+    quoted.append(path).append(1, '"');
+    std::string bracketed(" (");
+    bracketed.append(quoted).append(1, ')');
+    for (const std::string& named : {bracketed, quoted}) {
+        if (const std::size_t at = message.find(named); !path.empty() && at != std::string::npos) {
+            message.erase(at, named.size());
+        }
+    }
     return message.empty() ? otherwise : message;
 }
 
 struct Reader {
     std::unique_ptr<oiio::ImageInput> input;
+    std::string path;
     std::vector<int> channels;  // of the file, in our order
 };
 
@@ -58,16 +68,16 @@ int integer_bits(const oiio::ImageSpec& spec) {
 
 void* open_image(const char* path, const char* format, LancerImageHeader* header, void* receiver, LancerSink reason) try {
     auto reader = std::make_unique<Reader>();
+    reader->path = path;
     reader->input = oiio::ImageInput::create(format);
     if (!reader->input) {
-        say(receiver, reason,
-            "this build of OpenImageIO can't read " + std::string(format) + " files: " + first_line(oiio::geterror(), ""));
+        say(receiver, reason, "this build of OpenImageIO can't read " + std::string(format) + " files: " + plain(oiio::geterror(), {}, ""));
         return nullptr;
     }
     oiio::ImageSpec config, spec;
     config.attribute("oiio:UnassociatedAlpha", 1);  // as stored
     if (!reader->input->open(path, spec, config)) {
-        say(receiver, reason, first_line(reader->input->geterror(), "it can't be opened"));
+        say(receiver, reason, plain(reader->input->geterror(), path, "it can't be opened"));
         return nullptr;
     }
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 || spec.deep) {
@@ -94,7 +104,7 @@ bool read_image(void* opaque, float* pixels, void* receiver, LancerSink reason) 
     }
     if (in_order) {
         if (!input.read_image(0, 0, first, first + count, oiio::TypeDesc::FLOAT, pixels)) {
-            say(receiver, reason, first_line(input.geterror(), "its pixels can't be read"));
+            say(receiver, reason, plain(input.geterror(), reader.path, "its pixels can't be read"));
             return false;
         }
         return true;
@@ -103,7 +113,7 @@ bool read_image(void* opaque, float* pixels, void* receiver, LancerSink reason) 
     const std::size_t area = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
     std::vector<float> all(area * static_cast<std::size_t>(stored));
     if (!input.read_image(0, 0, first, first + stored, oiio::TypeDesc::FLOAT, all.data())) {
-        say(receiver, reason, first_line(input.geterror(), "its pixels can't be read"));
+        say(receiver, reason, plain(input.geterror(), reader.path, "its pixels can't be read"));
         return false;
     }
     for (std::size_t i = 0; i < area; ++i) {
@@ -170,11 +180,11 @@ bool encode_image(const LancerImageToWrite* image, void* receiver, LancerSink by
     std::vector<unsigned char> buffer;
     oiio::Filesystem::IOVecOutput memory(buffer);
     if (!output->set_ioproxy(&memory) || !output->open(std::string("picture.") + image->format, spec)) {
-        return fail(first_line(output->geterror(), "it can't be written"));
+        return fail(plain(output->geterror(), {}, "it can't be written"));
     }
     const void* pixels = image->bytes ? static_cast<const void*>(image->bytes) : image->floats;
     if (!output->write_image(type, pixels) || !output->close()) {
-        return fail(first_line(output->geterror(), "it can't be written"));
+        return fail(plain(output->geterror(), {}, "it can't be written"));
     }
     bytes(receiver, reinterpret_cast<const char*>(buffer.data()), buffer.size());
     return true;
