@@ -45,43 +45,71 @@ FN Float unit_disk_distance(Vec3 o, Vec3 d) {
     return select(both(both(t > Float(0.0f), t < Float(FAR)), x * x + z * z <= Float(1.0f)), t, Float(FAR));
 }
 
-// The disk of a radius at height y, as a candidate against t.
-FN Float cap_distance(Vec3 o, Vec3 d, float height, float radius, Float t) {
-    Float s = (Float(height) - o.y) / d.y;
-    Float x = o.x + s * d.x;
-    Float z = o.z + s * d.z;
-    Mask meets = both(both(s > Float(0.0f), s < t), x * x + z * z <= Float(radius * radius));
-    return select(meets, s, t);
-}
+// Where a line is inside of the infinite cone x^2 + z^2 = (bottom + k y)^2, k = top - bottom (0: a cylinder), and where it is between the
+// planes y = 0 and y = 1 that end it.
+struct ConeSpan {
+    Float side_in;
+    Float side_out;
+    Float ends_in;
+    Float ends_out;
+    Mask meets;
+};
 
-// x^2 + z^2 = (bottom + k y)^2 for 0 <= y <= 1, with k = top - bottom; cylinders have k = 0. The origin is first moved to the point of the ray
-// nearest the shape's middle: far origins would cost all digits of the discriminant.
-FN Float cone_distance(IN(PlacedRecord) cone, Vec3 o, Vec3 d) {
+// The origin is first moved to the point of the line nearest the shape's middle: far origins would cost all digits of the discriminant.
+FN ConeSpan cone_span(IN(PlacedRecord) cone, Vec3 o, Vec3 d) {
     Vec3 from_middle = o - vec3_of(Float(0.0f), Float(0.5f), Float(0.0f));
     Float shift = -dot(from_middle, d) / dot(d, d);
     Vec3 p = o + d * shift;
-    float k = cone.top_radius - cone.bottom_radius;
-    Float radius = Float(cone.bottom_radius) + Float(k) * p.y;
-    Float slope = Float(k) * d.y;
+    Float k = Float(cone.top_radius) - Float(cone.bottom_radius);
+    Float radius = Float(cone.bottom_radius) + k * p.y;
+    Float slope = k * d.y;
     Float a = d.x * d.x + d.z * d.z - slope * slope;
     Float b = p.x * d.x + p.z * d.z - slope * radius;
     Float c = p.x * p.x + p.z * p.z - radius * radius;
     Float discriminant = b * b - a * c;
-    Mask meets = discriminant >= Float(0.0f);
-    Float q = -(b + with_sign_of(sqrt(max(discriminant, Float(0.0f))), b));
-    Float t_one = q / a + shift;
-    Float t_other = c / q + shift;
-    Float y_one = o.y + t_one * d.y;
-    Float y_other = o.y + t_other * d.y;
     Float zero = Float(0.0f);
-    Float one = Float(1.0f);
-    Mask good_one = both(both(meets, both(t_one > zero, t_one < Float(FAR))), both(y_one >= zero, y_one <= one));
-    Mask good_other = both(both(meets, both(t_other > zero, t_other < Float(FAR))), both(y_other >= zero, y_other <= one));
-    Float t = select(good_one, t_one, Float(FAR));
-    t = select(both(good_other, t_other < t), t_other, t);
+    Float far = Float(FAR);
+    Mask steep = a < zero;  // the line goes from one nappe into the other: it always meets both
+    ConeSpan span;
+    span.meets = either(discriminant >= zero, steep);
+    Float q = -(b + with_sign_of(sqrt(max(discriminant, zero)), b));
+    Mask two_roots = abs(q) > zero;
+    Float one = select(two_roots, q / a, zero);
+    Float other = select(two_roots, c / q, zero);
+    Float first = min(one, other) + shift;
+    Float second = max(one, other) + shift;
+    // Inside between the roots; on a steep line before the first or behind the second, where the nappe is that counts.
+    Mask widens = slope > zero;
+    span.side_in = select(steep, select(widens, second, -far), first);
+    span.side_out = select(steep, select(widens, far, first), second);
+    // A line along the axis of a cylinder has no roots: it is inside everywhere or nowhere.
+    Mask along = without(abs(a) <= zero, two_roots);
+    span.side_in = select(along, -far, span.side_in);
+    span.side_out = select(along, far, span.side_out);
+    span.meets = without(span.meets, both(along, c >= zero));
+    Float inverse = Float(1.0f) / select(abs(d.y) < Float(SMALLEST), Float(SMALLEST), d.y);
+    Float y_0 = -o.y * inverse;
+    Float y_1 = (Float(1.0f) - o.y) * inverse;
+    span.ends_in = min(y_0, y_1);
+    span.ends_out = max(y_0, y_1);
+    return span;
+}
+
+// A capped cone is the body that side and ends enclose together, so that no ray slips in at a rim; without caps there are the side's two points.
+FN Float cone_distance(IN(PlacedRecord) cone, Vec3 o, Vec3 d) {
+    ConeSpan span = cone_span(cone, o, d);
+    Float zero = Float(0.0f);
+    Float t = Float(FAR);
     if (cone.capped != 0) {
-        t = cap_distance(o, d, 0.0f, cone.bottom_radius, t);
-        t = cap_distance(o, d, 1.0f, cone.top_radius, t);
+        Float near = max(span.side_in, span.ends_in);
+        Float far = min(span.side_out, span.ends_out);
+        Float first = select(near > zero, near, far);
+        t = select(both(span.meets, both(far > zero, near < far)), first, t);
+    } else {
+        Mask out_meets = both(span.side_out > zero, both(span.side_out >= span.ends_in, span.side_out <= span.ends_out));
+        Mask in_meets = both(span.side_in > zero, both(span.side_in >= span.ends_in, span.side_in <= span.ends_out));
+        t = select(both(span.meets, out_meets), span.side_out, t);
+        t = select(both(span.meets, in_meets), span.side_in, t);
     }
     return t;
 }
@@ -102,48 +130,81 @@ FN Float placed_distance(IN(PlacedRecord) shape, int kind, IN(Ray) ray) {
     return t;
 }
 
-// Which of the cone's three parts p lies on decides its normal: the nearest one, in units of the height and of the radius.
-FN Vec3 cone_normal(IN(PlacedRecord) cone, Vec3 p) {
-    float k = cone.top_radius - cone.bottom_radius;
-    Float ring = sqrt(p.x * p.x + p.z * p.z);
-    Float to_side = abs(ring - (Float(cone.bottom_radius) + Float(k) * p.y));
+struct ConePoint {
+    Vec3 p;
+    Vec3 n;  // outwards, of any length
+};
+
+// The point of the cone nearest `p`, on the part that cone_distance met; a point within a cap or a side keeps `room` from the rim, so that a
+// ray that goes on inside has a way to go.
+FN ConePoint cone_point(IN(PlacedRecord) cone, Vec3 o, Vec3 d, Vec3 p, Vec3 room) {
     Float zero = Float(0.0f);
-    Vec3 side = vec3_of(p.x, -Float(k) * ring, p.z);
-    Vec3 n = select(ring > zero, side, vec3_of(zero, Float(1.0f), zero));
+    Float one = Float(1.0f);
+    Mask on_end = one < zero;
+    Mask on_top = on_end;
     if (cone.capped != 0) {
-        n = select(abs(p.y) < to_side, vec3_of(zero, Float(-1.0f), zero), n);
-        n = select(both(abs(p.y - Float(1.0f)) < to_side, Float(cone.top_radius) > zero), vec3_of(zero, Float(1.0f), zero), n);
+        ConeSpan span = cone_span(cone, o, d);
+        Mask outside = max(span.side_in, span.ends_in) > zero;
+        on_end = either(both(outside, span.ends_in > span.side_in), without(span.ends_out < span.side_out, outside));
+        on_top = either(both(outside, d.y < zero), without(d.y > zero, outside));
     }
-    return n;
+    Float k = Float(cone.top_radius) - Float(cone.bottom_radius);
+    Float y_room = min(room.y, Float(0.5f));
+    Float y = select(on_end, select(on_top, one, zero), min(max(p.y, y_room), one - y_room));
+    Float radius = Float(cone.bottom_radius) + k * y;
+    Float ring = sqrt(p.x * p.x + p.z * p.z);
+    Float widest = max(radius - max(room.x, room.z), zero);
+    Float scale = select(on_end, min(ring, widest), radius) / max(ring, Float(SMALLEST));
+    ConePoint point;
+    point.p = vec3_of(p.x * scale, y, p.z * scale);
+    Vec3 up = vec3_of(zero, one, zero);
+    Vec3 side = select(ring > zero, vec3_of(p.x, -k * ring, p.z), select(k > zero, -up, up));
+    point.n = select(on_end, select(on_top, up, -up), side);
+    return point;
+}
+
+// How far rounding can put a point of the shape off its surface, in object space, if it is taken to world space and a ray from there comes back.
+// The maps as floats and their products and sums lose at most 5 units of rounding of all that is added up, on either way; the formulas of the
+// shapes less than 6, of lengths up to 1.
+FN Vec3 placed_rounding(IN(PlacedRecord) shape) {
+    Vec3 farthest = reach_linear(shape.to_world, vec3_all(Float(1.0f))) + abs(broadcast(shape.to_world.shift));
+    Vec3 back = reach_linear(shape.to_object, farthest) + abs(broadcast(shape.to_object.shift));
+    return back * Float(10.0f * ROUNDING) + vec3_all(Float(6.0f * ROUNDING));
 }
 
 FN SurfacePoint placed_surface(IN(PlacedRecord) shape, int kind, IN(Ray) ray, Float t) {
     SurfacePoint s;
-    Vec3 p = apply_affine(shape.to_object, ray.origin) + apply_linear(shape.to_object, ray.direction) * t;
+    Vec3 o = apply_affine(shape.to_object, ray.origin);
+    Vec3 d = apply_linear(shape.to_object, ray.direction);
+    Vec3 p = o + d * t;
     Vec3 n = vec3_of(Float(0.0f), Float(1.0f), Float(0.0f));
+    Vec3 rounding = placed_rounding(shape);
     s.uv = vec2_of(Float(0.0f), Float(0.0f));
     if (kind == OBJECT_PLACED_SPHERE) {
         n = normalize(p);
         p = n;
         s.uv = sphere_uv(n);
     } else if (kind == OBJECT_PLACED_BOX) {
-        n = cube_normal(p);
-        p = p * (vec3_all(Float(1.0f)) - abs(n)) + n;
+        Vec3 one = vec3_all(Float(1.0f));
+        Ray local_ray;
+        local_ray.origin = o;
+        local_ray.direction = d;
+        local_ray.reach = ray.reach;
+        n = slab_normal(-one, one, local_ray, slab_reciprocal(d));
+        p = onto_face(-one, one, rounding * Float(2.0f), n, p);
         s.uv = cube_uv(p, n);
     } else if (kind == OBJECT_PLACED_DISK) {
         p = vec3_of(p.x, Float(0.0f), p.z);
         s.uv = vec2_of(p.x * Float(0.5f) + Float(0.5f), Float(0.5f) - p.z * Float(0.5f));
     } else {
-        n = cone_normal(shape, p);
+        ConePoint point = cone_point(shape, o, d, p, rounding * Float(2.0f));
+        p = point.p;
+        n = point.n;
         s.uv = vec2_of(angle_of(p.x, p.z) * Float(0.5f / PI) + Float(0.5f), p.y);
     }
     s.local = apply_affine(shape.to_author, p);
     s.position = apply_affine(shape.to_world, p);
-    // Rounding in object space, there and back again, seen in world space.
-    Vec3 back = reach_linear(shape.to_object, abs(s.position)) + abs(broadcast(shape.to_object.shift));
-    Vec3 object_error = (back + abs(p) + vec3_all(Float(1.0f))) * Float(8.0f * ROUNDING);
-    s.error = reach_linear(shape.to_world, object_error) +
-              (reach_linear(shape.to_world, abs(p)) + abs(broadcast(shape.to_world.shift))) * Float(4.0f * ROUNDING);
+    s.error = reach_linear(shape.to_world, rounding);
     s.normal = normalize(apply_transposed(shape.to_object, n));
     s.shading = s.normal;
     return s;

@@ -29,7 +29,7 @@ FN SurfacePoint plane_surface(IN(PlaneRecord) plane, IN(Ray) ray, Float t) {
     Vec3 side = select(abs(n.y) > Float(0.999f), vec3_of(Float(1.0f), Float(0.0f), Float(0.0f)), vec3_of(n.z, Float(0.0f), -n.x));
     Vec3 u = normalize(side - n * dot(n, side));
     Vec3 v = cross(n, u);
-    s.uv = vec2_of(dot(u, s.position), -dot(v, s.position));
+    s.uv = vec2_of(dot(u, s.position), dot(v, s.position));
     return s;
 }
 

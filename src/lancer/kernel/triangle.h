@@ -12,23 +12,38 @@ struct TriangleHit {
     Float v;
 };
 
-// By the volumes that the ray spans with the three edges: two triangles that share an edge compute the same number for it, with opposite
-// signs, so no ray slips between them [Davidovic, Engelhardt, Georgiev, Slusallek, Dachsbacher 2012].
+// A corner as the ray sees it: its place across the ray, relative to the ray. Any two directions across will do, if they are the same for all
+// triangles; these are [Duff et al. 2017].
+FN Vec2 seen_along(Vec3 corner, Vec3 d) {
+    Float sign = with_sign_of(Float(1.0f), d.z);
+    Float a = Float(-1.0f) / (sign + d.z);
+    Float b = d.x * d.y * a;
+    Vec3 x = vec3_of(Float(1.0f) + sign * d.x * d.x * a, sign * b, -sign * d.x);
+    Vec3 y = vec3_of(b, sign + d.y * d.y * a, -d.y);
+    return vec2_of(dot(corner, x), dot(corner, y));
+}
+
+// Twice the area that the ray spans with an edge. The difference of two rounded products has the right sign or is zero, so it says truly on which
+// side of the edge, as seen, the ray passes [Woop et al. 2013].
+FN Float edge_area(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+
+// Each corner is seen at the same place by all triangles that share it, and each edge answers them alike: no ray slips between triangles that
+// share an edge or a corner.
 FN TriangleHit triangle_hit(Vec3 a, Vec3 b, Vec3 c, IN(Ray) ray) {
-    Vec3 va = a - ray.origin;
-    Vec3 vb = b - ray.origin;
-    Vec3 vc = c - ray.origin;
     Vec3 d = ray.direction;
-    Float wa = dot(cross(vc + vb, vb - vc), d);
-    Float wb = dot(cross(va + vc, vc - va), d);
-    Float wc = dot(cross(vb + va, va - vb), d);
+    Vec3 va = a - ray.origin;
+    Vec2 sa = seen_along(va, d);
+    Vec2 sb = seen_along(b - ray.origin, d);
+    Vec2 sc = seen_along(c - ray.origin, d);
+    Float wa = edge_area(sb, sc);
+    Float wb = edge_area(sc, sa);
+    Float wc = edge_area(sa, sb);
     Float sum = wa + wb + wc;
     Float least = min(min(wa, wb), wc);
     Float most = max(max(wa, wb), wc);
-    Mask inside = either(least >= Float(0.0f), most <= Float(0.0f));
+    Mask inside = both(either(least >= Float(0.0f), most <= Float(0.0f)), abs(sum) > Float(0.0f));
     Vec3 n = cross(b - a, c - a);
-    Float along = dot(n, d);
-    Float t = dot(n, va) / along;
+    Float t = dot(n, va) / dot(n, d);
     inside = both(inside, both(t > Float(0.0f), t < Float(FAR)));
     TriangleHit hit;
     hit.t = select(inside, t, Float(FAR));

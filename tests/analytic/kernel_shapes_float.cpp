@@ -1,0 +1,7 @@
+#include "analytic/kernel_shapes.inc"
+
+namespace lancer::tests {
+
+const Kernel in_float{unit, meet, surface, leave, mirror, fresnel, refracted, index};
+
+}  // namespace lancer::tests
