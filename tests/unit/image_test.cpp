@@ -165,11 +165,11 @@ TEST_F(ImageFiles, SameImageSameBytes) {
     for (const std::string& ending : writable_endings()) {
         write_image(path("a" + ending), gradient(20, 10, 3), metadata);
         const std::string first = bytes_of(path("a" + ending));
-        ::usleep(ending == ".tif" ? 1100000 : 0);  // the format with a date in it
         write_image(path("a" + ending), gradient(20, 10, 3), metadata);
         EXPECT_EQ(bytes_of(path("a" + ending)), first) << ending;
         EXPECT_GT(first.size(), 200u);
     }
+    EXPECT_NE(bytes_of(path("a.tif")).find("1970:01:01 00:00:00"), std::string::npos);  // it insists on a date
 }
 
 TEST_F(ImageFiles, MetadataIsInTheFile) {
@@ -248,6 +248,36 @@ TEST_F(ImageFiles, EncodingCanBeTold) {
     write_image(path("a.exr"), Image{1, 1, 1, {0.5f}}, {});
     EXPECT_EQ(read_image(path("a.exr")).pixels[0], 0.5f);
     EXPECT_FLOAT_EQ(read_image(path("a.exr"), Encoding::srgb).pixels[0], srgb_decode(0.5f));
+}
+
+// Three pixels of a palette with transparency; two of 16-bit grey, 0x8000 and 1; eight of 1-bit grey, 1011 0000.
+TEST_F(ImageFiles, PngKindsThatWeDoNotWrite) {
+    using namespace std::string_view_literals;
+    put(path("palette.png"),
+        "\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00\x00\x03\x00\x00\x00\x01\x02\x03\x00\x00\x00\x66"
+        "\x8e\xfc\x27\x00\x00\x00\x09\x50\x4c\x54\x45\xff\x00\x00\x00\xff\x00\x0a\x14\x1e\xd9\x7e\x4d\xe7\x00\x00\x00\x02\x74\x52"
+        "\x4e\x53\xff\x80\x08\x0f\xb3\x6a\x00\x00\x00\x0a\x49\x44\x41\x54\x78\xda\x63\x90\x00\x00\x00\x1a\x00\x19\x80\x00\x8e\xbb"
+        "\x00\x00\x00\x00\x49\x45\x4e\x44\xae\x42\x60\x82"sv);
+    const Image palette = read_image(path("palette.png"), Encoding::linear);
+    ASSERT_EQ(palette.channels, 4);
+    ASSERT_EQ(palette.width, 3);
+    const std::vector<float> expected = {1, 0, 0, 1, 0, 1, 0, 128.0f / 255.0f, 10.0f / 255.0f, 20.0f / 255.0f, 30.0f / 255.0f, 1};
+    EXPECT_EQ(palette.pixels, expected);
+
+    put(path("grey.png"),
+        "\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00\x00\x02\x00\x00\x00\x01\x10\x00\x00\x00\x00\x81"
+        "\xd9\xfc\x15\x00\x00\x00\x0d\x49\x44\x41\x54\x78\xda\x63\x68\x60\x60\x60\x04\x00\x02\x06\x00\x82\x2e\x10\xf1\xfa\x00\x00"
+        "\x00\x00\x49\x45\x4e\x44\xae\x42\x60\x82"sv);
+    const Image grey = read_image(path("grey.png"), Encoding::linear);
+    ASSERT_EQ(grey.channels, 1);
+    EXPECT_EQ(grey.pixels, (std::vector<float>{32768.0f / 65535.0f, 1.0f / 65535.0f}));
+    EXPECT_FLOAT_EQ(read_image(path("grey.png")).pixels[0], srgb_decode(32768.0f / 65535.0f));
+
+    put(path("bits.png"),
+        "\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00\x00\x08\x00\x00\x00\x01\x01\x00\x00\x00\x00\xcb"
+        "\x7b\xd2\xee\x00\x00\x00\x0a\x49\x44\x41\x54\x78\xda\x63\xd8\x00\x00\x00\xb2\x00\xb1\xf8\x82\x92\xa7\x00\x00\x00\x00\x49"
+        "\x45\x4e\x44\xae\x42\x60\x82"sv);
+    EXPECT_EQ(read_image(path("bits.png")).pixels, (std::vector<float>{1, 0, 1, 1, 0, 0, 0, 0}));
 }
 
 TEST_F(ImageFiles, UnpremultipliedAlphaComesBack) {
@@ -357,7 +387,8 @@ TEST_F(ImageFiles, MissingModuleNamesThePackage) {
 // Cut anywhere, or with any byte changed: an image or a message, never anything else.
 TEST_F(ImageFiles, BrokenFilesNeverCrash) {
     const Metadata metadata = {{"Software", "lancer"}};
-    for (const std::string& ending : writable_endings()) {
+    for (const char* const name : {".png", ".jpg", ".exr", ".hdr", ".tif"}) {
+        const std::string ending = name;
         write_image(path("whole" + ending), gradient(19, 11, 3), metadata);
         const std::string whole = bytes_of(path("whole" + ending));
         int refused = 0;
@@ -371,10 +402,10 @@ TEST_F(ImageFiles, BrokenFilesNeverCrash) {
                 EXPECT_NE(std::string(error.what()).find("broken"), std::string::npos);
             }
         };
-        for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 40) {
+        for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 20) {
             attempt(whole.substr(0, size));
         }
-        for (std::size_t at = 0; at < whole.size(); at += 1 + (at < 400 ? 2 : whole.size() / 40)) {
+        for (std::size_t at = 0; at < whole.size(); at += 1 + (at < 300 ? 2 : whole.size() / 20)) {
             for (const char value : {'\0', '\x7f', '\xff'}) {
                 std::string bytes = whole;
                 bytes[at] = value;
