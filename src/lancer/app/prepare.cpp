@@ -13,6 +13,12 @@ namespace lancer::app {
 
 namespace {
 
+// "; did you mean ...?" or nothing.
+std::string hint(const std::string& word, const std::vector<std::string>& candidates) {
+    const std::string question = did_you_mean(word, candidates);
+    return question.empty() ? "" : ";" + question;
+}
+
 void choose_camera(scene::Scene& scene, const std::string& name, Diagnostics& diagnostics) {
     std::vector<std::string> names;
     for (const scene::Camera& camera : scene.cameras) {
@@ -24,9 +30,8 @@ void choose_camera(scene::Scene& scene, const std::string& name, Diagnostics& di
             names.push_back(camera.name);
         }
     }
-    const std::string hint = did_you_mean(name, names);
-    diagnostics.error({}, fmt::format("--camera: {} has no camera \"{}\"{}; {}", scene.file, name, hint.empty() ? "" : ";" + hint,
-                                      names.empty() ? "none of its cameras has a name" : fmt::format("it has {}", fmt::join(names, ", "))));
+    const std::string known = names.empty() ? "none of its cameras has a name" : fmt::format("it has {}", fmt::join(names, ", "));
+    diagnostics.error({}, fmt::format("--camera: {} has no camera \"{}\" ({}){}", scene.file, name, known, hint(name, names)));
 }
 
 // A light by its name, or by its number in the scene, from 1.
@@ -57,11 +62,9 @@ void choose_lights(scene::Scene& scene, const std::vector<std::string>& names, D
                 known.push_back(light.name);
             }
         }
-        const std::string hint = did_you_mean(name, known);
-        diagnostics.error({},
-                          fmt::format("--lights: {} has no light \"{}\"{}; it has {}{}", scene.file, name, hint.empty() ? "" : ";" + hint,
-                                      scene.lights.size() == 1 ? "one light" : fmt::format("{} lights", scene.lights.size()),
-                                      known.empty() ? "" : fmt::format(": {}", fmt::join(known, ", "))));
+        const std::string count = scene.lights.size() == 1 ? "one light" : fmt::format("{} lights", scene.lights.size());
+        diagnostics.error({}, fmt::format("--lights: {} has no light \"{}\" (it has {}{}){}", scene.file, name, count,
+                                          known.empty() ? "" : fmt::format(": {}", fmt::join(known, ", ")), hint(name, known)));
     }
     if (diagnostics.has_errors()) {
         return;
@@ -155,6 +158,11 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
                                 Diagnostics& diagnostics) {
     apply_arguments(scene, arguments, diagnostics);
     if (diagnostics.has_errors()) {
+        return std::nullopt;
+    }
+    if (static_cast<long long>(scene.settings.width) * scene.settings.height > max_pixels) {
+        diagnostics.error({scene.file, 0, 0}, fmt::format("a picture of {} x {} pixels: expected at most {} million pixels",
+                                                          scene.settings.width, scene.settings.height, max_pixels / 1000000));
         return std::nullopt;
     }
     const std::shared_ptr<const World> world = compile_world(scene, scene.cameras.front(), diagnostics);

@@ -123,6 +123,9 @@ int run_command_line(const std::vector<std::string>& words) {
         program.parse(std::move(reversed));
     } catch (const CLI::Success& request) {  // --help, --version
         return program.exit(request) == 0 ? exit_done : exit_bad_input;
+    } catch (const CLI::ArgumentMismatch& error) {
+        const std::string sentence = error.what();
+        return refuse(sentence.substr(0, sentence.find(':')) + " needs a value", chosen());
     } catch (const CLI::ParseError& error) {
         return refuse(error.what(), chosen());
     }

@@ -53,7 +53,7 @@ void check_pictures(const std::vector<std::string>& paths, const std::string& op
         }
         check_file(path, option, diagnostics);
         std::error_code ignored;
-        const std::string whole = fs::weakly_canonical(path, ignored).string();
+        const std::string whole = fs::weakly_canonical(fs::absolute(path, ignored), ignored).string();
         if (std::find(seen.begin(), seen.end(), whole) != seen.end()) {
             diagnostics.error({}, fmt::format("{} {}: this file is named twice", option, path));
         }
