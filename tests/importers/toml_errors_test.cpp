@@ -16,6 +16,13 @@ void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.name; 
 
 const std::string rest = "[camera]\n[[sphere]]\n[[light]]\ntype='point'\nposition=[0,9,0]\n";
 
+std::string repeat(std::string text, int times, const std::string& part) {
+    for (int i = 0; i < times; ++i) {
+        text += part;
+    }
+    return text;
+}
+
 class TomlMistake : public ::testing::TestWithParam<Mistake> {};
 
 TEST_P(TomlMistake, IsExplained) {
@@ -39,12 +46,12 @@ const Mistake syntax[] = {
     {"OpenList", "[camera]\nposition = [0, 1,\n[[sphere]]\n", {":3:3: error: this is no value: expected a number, true, false, a list, or text in quotes"}},
     {"Twice", "[camera]\nfov = 1\nfov = 2\n", {":3:7: error: cannot redefine existing integer 'fov'"}},
     {"Utf8", "# \xff\n", {":1:2: error: Encountered invalid utf-8 sequence"}},
-    {"DeepValue", "a = " + std::string(100'000, '['), {":1:37: error: values are nested too deep: at most 32 lists or tables inside each other"}},
+    {"DeepValue", repeat("a = ", 100'000, "["), {":1:37: error: values are nested too deep: at most 32 lists or tables inside each other"}},
     {"DeepTable",
-     "é = " + [] { std::string s; for (int i = 0; i < 100'000; ++i) s += "{a="; return s; }(),
+     repeat("é = ", 100'000, "{a="),
      {":1:101: error: values are nested too deep: at most 32 lists or tables inside each other"}},
     {"DeepHeader",
-     "# [[\n[[group" + [] { std::string s; for (int i = 0; i < 100'000; ++i) s += ".group"; return s; }() + "]]\n",
+     repeat("# [[\n[[group", 100'000, ".group"),
      {":2:194: error: this name has too many parts: at most 32 between dots"}},
 };
 

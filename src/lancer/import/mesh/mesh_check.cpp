@@ -112,11 +112,14 @@ void repair_uvs(scene::TriangleMesh& mesh, MeshMessages& messages, int line, int
 }  // namespace
 
 bool check_mesh(scene::TriangleMesh& mesh, MeshMessages& messages, int line, int column) {
+    if (messages.has_errors()) {
+        return false;
+    }
     if (mesh.triangles.empty()) {
         messages.error(line, column, "this mesh has no triangles");
         return false;
     }
-    if (messages.has_errors() || !check_corners(mesh, messages, line, column) || !check_positions(mesh, messages, line, column)) {
+    if (!check_corners(mesh, messages, line, column) || !check_positions(mesh, messages, line, column)) {
         return false;
     }
     leave_out_needles(mesh, messages, line, column);
