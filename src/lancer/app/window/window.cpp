@@ -1,7 +1,5 @@
 #include "lancer/app/window/window.h"
 
-#include <SDL.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +12,7 @@
 #include "lancer/app/cli/progress.h"
 #include "lancer/app/window/canvas.h"
 #include "lancer/app/window/painter.h"
+#include "lancer/app/window/sdl.h"
 #include "lancer/base/failure.h"
 
 namespace lancer::app {
@@ -21,9 +20,9 @@ namespace lancer::app {
 namespace {
 
 struct Destroy {
-    void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
-    void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
-    void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
+    void operator()(SDL_Window* window) const { sdl().DestroyWindow(window); }
+    void operator()(SDL_Renderer* renderer) const { sdl().DestroyRenderer(renderer); }
+    void operator()(SDL_Texture* texture) const { sdl().DestroyTexture(texture); }
 };
 template <typename T>
 using Owned = std::unique_ptr<T, Destroy>;
@@ -31,7 +30,7 @@ using Owned = std::unique_ptr<T, Destroy>;
 template <typename T>
 Owned<T> own(T* pointer, const char* what) {
     if (pointer == nullptr) {
-        throw MachineFailure(fmt::format("{} could not be made: {}", what, SDL_GetError()));
+        throw MachineFailure(fmt::format("{} could not be made: {}", what, sdl().GetError()));
     }
     return Owned<T>(pointer);
 }
@@ -44,7 +43,7 @@ bool is_set(const char* variable) {
 // The largest size with the picture's shape that leaves a little of the screen free, and is no larger than the picture.
 SDL_Point window_size(int width, int height) {
     SDL_Rect usable = {0, 0, 1280, 720};
-    SDL_GetDisplayUsableBounds(0, &usable);
+    sdl().GetDisplayUsableBounds(0, &usable);
     const double scale = std::min({1.0, 0.95 * usable.w / width, 0.9 * usable.h / height});
     return {std::max(1, static_cast<int>(std::lround(width * scale))), std::max(1, static_cast<int>(std::lround(height * scale)))};
 }
@@ -65,11 +64,11 @@ public:
         : prepared_(prepared), title_(title), save_as_(save_as),
           canvas_(prepared.options.width, prepared.options.height, prepared.options.exposure) {
         const SDL_Point size = window_size(canvas_.width(), canvas_.height());
-        window_ = own(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.x, size.y,
-                                       SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI),
+        window_ = own(sdl().CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.x, size.y,
+                                         SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI),
                       "the window");
-        renderer_ = own(SDL_CreateRenderer(window_.get(), -1, 0), "the window's renderer");
-        SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "linear");
+        renderer_ = own(sdl().CreateRenderer(window_.get(), -1, 0), "the window's renderer");
+        sdl().SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "linear");
         make_texture();
         draw();
     }
@@ -79,10 +78,10 @@ public:
         bool told = false;
         while (!closed_) {
             SDL_Event event;
-            if (SDL_WaitEventTimeout(&event, told ? 1000 : 30) != 0) {
+            if (sdl().WaitEventTimeout(&event, told ? 1000 : 30) != 0) {
                 do {
                     handle(event);
-                } while (SDL_PollEvent(&event) != 0);
+                } while (sdl().PollEvent(&event) != 0);
             }
             upload_changes();
             if (redraw_) {
@@ -98,7 +97,7 @@ public:
 private:
     void make_texture() {
         texture_ = own(
-            SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING, canvas_.width(), canvas_.height()),
+            sdl().CreateTexture(renderer_.get(), SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING, canvas_.width(), canvas_.height()),
             "the picture's texture");
         canvas_.forget_what_was_taken();
         upload_changes();
@@ -107,7 +106,7 @@ private:
     void upload_changes() {
         canvas_.take_changes([&](const std::uint32_t* pixels, int stride, const Tile& changed) {
             const SDL_Rect area = {changed.x0, changed.y0, changed.width(), changed.height()};
-            SDL_UpdateTexture(texture_.get(), &area, pixels, stride * static_cast<int>(sizeof(std::uint32_t)));
+            sdl().UpdateTexture(texture_.get(), &area, pixels, stride * static_cast<int>(sizeof(std::uint32_t)));
             redraw_ = true;
         });
     }
@@ -115,12 +114,12 @@ private:
     void draw() {
         int width = 1;
         int height = 1;
-        SDL_GetRendererOutputSize(renderer_.get(), &width, &height);
+        sdl().GetRendererOutputSize(renderer_.get(), &width, &height);
         const SDL_Rect box = letterbox(width, height, canvas_.width(), canvas_.height());
-        SDL_SetRenderDrawColor(renderer_.get(), 24, 24, 24, 255);
-        SDL_RenderClear(renderer_.get());
-        SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, &box);
-        SDL_RenderPresent(renderer_.get());
+        sdl().SetRenderDrawColor(renderer_.get(), 24, 24, 24, 255);
+        sdl().RenderClear(renderer_.get());
+        sdl().RenderCopy(renderer_.get(), texture_.get(), nullptr, &box);
+        sdl().RenderPresent(renderer_.get());
         redraw_ = false;
     }
 
@@ -169,7 +168,7 @@ private:
         const std::string title = fmt::format("{}: {}", title_, state);
         if (title != shown_title_) {
             shown_title_ = title;
-            SDL_SetWindowTitle(window_.get(), title.c_str());
+            sdl().SetWindowTitle(window_.get(), title.c_str());
         }
     }
 
@@ -205,16 +204,20 @@ Display::Display() {
         reason_ = "neither DISPLAY nor WAYLAND_DISPLAY is set";
         return;
     }
-    there_ = SDL_InitSubSystem(SDL_INIT_VIDEO) == 0;
-    if (!there_) {
-        reason_ = SDL_GetError();
+    try {
+        there_ = sdl().InitSubSystem(SDL_INIT_VIDEO) == 0;
+        if (!there_) {
+            reason_ = sdl().GetError();
+        }
+    } catch (const MachineFailure& failure) {
+        reason_ = failure.what();
     }
 }
 
 Display::~Display() {
     if (there_) {
-        SDL_QuitSubSystem(SDL_INIT_VIDEO);
-        SDL_Quit();
+        sdl().QuitSubSystem(SDL_INIT_VIDEO);
+        sdl().Quit();
     }
 }
 
