@@ -210,6 +210,7 @@ struct WorldRecord {
     int light_count;
     int band_count;
     int bounces;
+    float min_weight;  // of a path worth following
     int has_transparency;
     vec3 ambient;
     vec3 zenith;

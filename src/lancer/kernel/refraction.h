@@ -113,6 +113,34 @@ FN Float fresnel(Float cos_i, Float eta, INOUT(Float) cos_t) {
     return select(total, Float(1.0f), share);
 }
 
+// What the border of a transparent body does to a ray that meets it.
+struct Border {
+    Media beyond;  // the media on its far side
+    Float eta;     // index behind over index in front
+    Float cos_t;   // of the refracted ray
+    Float share;   // reflected
+};
+
+// `inside`: the ray meets the body's border from within. A body that is left without having been entered was there all along.
+FN Border border_at(IN(WorldRecord) world, IN(Media) media, Int material, Mask inside, Float cos_i, Float nanometres, Mask alive) {
+    Border border;
+    border.beyond = select_media(inside, left(media, material), entered(media, material));
+    Int front = select(inside, material, media.first);
+    border.eta = refractive_index(world, border.beyond.first, nanometres, alive) / refractive_index(world, front, nanometres, alive);
+    border.cos_t = Float(0.0f);
+    border.share = fresnel(cos_i, border.eta, border.cos_t);
+    return border;
+}
+
+FN Border select_border(Mask mask, IN(Border) a, IN(Border) b) {
+    Border border;
+    border.beyond = select_media(mask, a.beyond, b.beyond);
+    border.eta = select(mask, a.eta, b.eta);
+    border.cos_t = select(mask, a.cos_t, b.cos_t);
+    border.share = select(mask, a.share, b.share);
+    return border;
+}
+
 // Snell's law for a ray along `direction` against a normal that faces it.
 FN Vec3 refracted(Vec3 direction, Vec3 normal, Float cos_i, Float cos_t, Float eta) {
     return normalize(direction / eta + normal * (cos_i / eta - cos_t));

@@ -14,7 +14,7 @@ FN Float sphere_distance(IN(SphereRecord) sphere, IN(Ray) ray, Mask alive) {
     Vec3 f = ray.origin - broadcast(sphere.center);
     Float b = -dot(f, ray.direction);
     Vec3 l = f + ray.direction * b;
-    Float radius_2 = Float(sphere.radius * sphere.radius);
+    Float radius_2 = square(Float(sphere.radius));
     Float discriminant = radius_2 - dot(l, l);
     Float c = dot(f, f) - radius_2;
     // The line meets the sphere, and not behind an origin outside of it.

@@ -21,6 +21,31 @@ struct Finish {
     Mask dispersive;
 };
 
+FN SurfacePoint no_surface() {
+    SurfacePoint s;
+    s.position = vec3_all(Float(0.0f));
+    s.error = s.position;
+    s.normal = s.position;
+    s.shading = s.position;
+    s.local = s.position;
+    s.uv = vec2_of(Float(0.0f), Float(0.0f));
+    return s;
+}
+
+FN Finish no_finish() {
+    Finish f;
+    f.color = vec3_all(Float(0.0f));
+    f.ambient = Float(0.0f);
+    f.diffuse = Float(0.0f);
+    f.highlight = Float(0.0f);
+    f.shininess = Float(0.0f);
+    f.reflectivity = Float(0.0f);
+    f.transparency = Float(0.0f);
+    f.material = Int(-1);
+    f.dispersive = Float(1.0f) < Float(0.0f);
+    return f;
+}
+
 // A triangle of a placed mesh, with the mesh's own normals and texture coordinates where it has them.
 FN SurfacePoint mesh_surface(IN(WorldRecord) world, int instance_index, Int part, Float u, Float v, Mask mask) {
     InstanceRecord instance = AT(world.instances, instance_index);

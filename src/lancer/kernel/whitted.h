@@ -7,15 +7,12 @@
 #define LANCER_KERNEL_WHITTED_H
 
 #include "lancer/kernel/camera.h"
-#include "lancer/kernel/intersect.h"
-#include "lancer/kernel/light.h"
-#include "lancer/kernel/refraction.h"
-#include "lancer/kernel/surface.h"
+#include "lancer/kernel/lighting.h"
+#include "lancer/kernel/spectral.h"
 
 NAMESPACE_BEGIN
 
 const int WHITTED_STACK = 2 * MAX_BOUNCES + 2;  // two may wait for each bounce
-const int SHADOW_SURFACES = 32;                 // that light may pass through on its way
 
 struct WhittedPath {
     Vec3 origin;
@@ -28,125 +25,14 @@ struct WhittedPath {
     int bounce;
 };
 
-struct RayTally {
-    int camera;
-    int secondary;
-    int shadow;
-};
-
-FN Vec3 background(IN(WorldRecord) world, Vec3 direction) {
-    Float up = direction.y;
-    Vec3 above = broadcast(world.horizon) + (broadcast(world.zenith) - broadcast(world.horizon)) * max(up, Float(0.0f));
-    Vec3 below = broadcast(world.horizon) + (broadcast(world.nadir) - broadcast(world.horizon)) * max(-up, Float(0.0f));
-    return select(up < Float(0.0f), below, above);
-}
-
-FN SurfacePoint no_surface() {
-    SurfacePoint s;
-    s.position = vec3_all(Float(0.0f));
-    s.error = s.position;
-    s.normal = s.position;
-    s.shading = s.position;
-    s.local = s.position;
-    s.uv = vec2_of(Float(0.0f), Float(0.0f));
-    return s;
-}
-
-FN Finish no_finish() {
-    Finish f;
-    f.color = vec3_all(Float(0.0f));
-    f.ambient = Float(0.0f);
-    f.diffuse = Float(0.0f);
-    f.highlight = Float(0.0f);
-    f.shininess = Float(0.0f);
-    f.reflectivity = Float(0.0f);
-    f.transparency = Float(0.0f);
-    f.material = Int(-1);
-    f.dispersive = Float(1.0f) < Float(0.0f);
-    return f;
-}
-
-// How much of a lamp's light arrives through transparent bodies, which dim it and do not bend it on this way.
-FN_LARGE Vec3 light_through(IN(WorldRecord) world, IN(Ray) ray, Mask alive, INOUT(RayTally) tally) {
-    Vec3 passes = vec3_all(Float(1.0f));
-    Ray rest = ray;
-    Mask going = alive;
-    for (int i = 0; i < SHADOW_SURFACES && some(going); ++i) {
-        tally.shadow += lanes_in(going);
-        Hit hit = closest_hit(world, rest, going);
-        going = both(going, is_above(hit.object, Int(-1)));
-        if (some(going)) {
-            SurfacePoint point = no_surface();
-            Finish finish = no_finish();
-            find_surface(world, rest, hit, going, point, finish);
-            Float through = finish.transparency * (Float(1.0f) - finish.reflectivity);
-            Mask leaves = both(going, dot(point.normal, rest.direction) > Float(0.0f));
-            Vec3 dimmed = passes * through * select(leaves, transmittance(world, finish.material, hit.t, leaves), vec3_all(Float(1.0f)));
-            passes = select(going, dimmed, passes);
-            going = both(going, through > Float(0.0f));
-            Vec3 next = leave_surface(point.position, point.error, point.normal, rest.direction);
-            rest.reach = select(rest.reach < Float(FAR), rest.reach - dot(next - rest.origin, rest.direction), rest.reach);
-            rest.origin = select(going, next, rest.origin);
-            going = both(going, rest.reach > Float(0.0f));
-        }
+// Paths that bring too little are not followed. A single wavelength has its share of white light's weight, and of the limit.
+FN Mask is_worth_following(IN(WorldRecord) world, Vec3 weight, Int band) {
+    Vec3 size = abs(weight);
+    Float limit = Float(world.min_weight);
+    if (world.band_count > 0) {
+        limit = select(is_above(band, Int(-1)), limit * Float(1.0f / float(world.band_count)), limit);
     }
-    return select(going, vec3_all(Float(0.0f)), passes);
-}
-
-// Ambient, diffuse and highlight of every lamp at the point; `normal` faces the viewer.
-FN Vec3 local_light(IN(WorldRecord) world, IN(SurfacePoint) point, Vec3 normal, Vec3 shading, IN(Finish) finish, Vec3 view, Mask here,
-                    INOUT(RayTally) tally) {
-    Float body = (Float(1.0f) - finish.reflectivity) * (Float(1.0f) - finish.transparency);
-    Vec3 diffuse = finish.color * (finish.diffuse * body);
-    Vec3 light_sum = broadcast(world.ambient) * finish.color * (finish.ambient * body);
-    Vec3 mirrored = mirror(view, shading);
-    for (int i = 0; i < world.light_count; ++i) {
-        LightRecord light = AT(world.lights, i);
-        LightSample s = sample_light(light, point.position);
-        Float cosine = dot(shading, s.direction);
-        Mask lit = both(here, both(cosine > Float(0.0f), both(dot(normal, s.direction) > Float(0.0f), s.share > Float(0.0f))));
-        if (some(lit)) {
-            Ray shadow;
-            shadow.origin = leave_surface(point.position, point.error, normal, s.direction);
-            shadow.direction = s.direction;
-            shadow.reach = s.distance;
-            Vec3 arrives = broadcast(light.radiance) * s.share;
-            if (world.has_transparency != 0) {
-                arrives = arrives * light_through(world, shadow, lit, tally);
-            } else {
-                tally.shadow += lanes_in(lit);
-                lit = without(lit, occluded(world, shadow, lit));
-            }
-            Float shine = finish.highlight * power(max(dot(mirrored, s.direction), Float(0.0f)), finish.shininess);
-            light_sum = select(lit, light_sum + arrives * (diffuse * cosine + vec3_all(shine)), light_sum);
-        }
-    }
-    return light_sum;
-}
-
-// The wavelength of each lane's band; the d line for white light.
-FN Float band_wavelength(IN(WorldRecord) world, Int band, Mask alive) {
-    Float nanometres = Float(D_LINE);
-    Mask todo = both(alive, is_above(band, Int(-1)));
-    while (some(todo)) {
-        int number = first_of(band, todo);
-        Mask mine = both(todo, is_equal(band, Int(number)));
-        nanometres = select(mine, Float(AT(world.bands, number).nanometres), nanometres);
-        todo = without(todo, mine);
-    }
-    return nanometres;
-}
-
-FN Vec3 band_weight(IN(WorldRecord) world, Int band, Mask alive) {
-    Vec3 weight = vec3_all(Float(1.0f));
-    Mask todo = both(alive, is_above(band, Int(-1)));
-    while (some(todo)) {
-        int number = first_of(band, todo);
-        Mask mine = both(todo, is_equal(band, Int(number)));
-        weight = select(mine, broadcast(AT(world.bands, number).weight), weight);
-        todo = without(todo, mine);
-    }
-    return weight;
+    return max(max(size.x, size.y), size.z) >= limit;
 }
 
 // Radiance (linear RGB) along each camera ray.
@@ -191,11 +77,10 @@ FN_LARGE Vec3 whitted_radiance(IN(WorldRecord) world, IN(Ray) camera, Mask alive
             Vec3 shading = select(inside, -point.shading, point.shading);
             shading = select(dot(shading, view) > Float(0.0f), shading, normal);
 
-            if (world.has_transparency != 0) {
-                path.weight = path.weight * transmittance(world, path.media.first, hit.t, here);
-            }
-
             Mask shaded = without(here, path.splits);
+            if (world.has_transparency != 0) {
+                path.weight = path.weight * transmittance(world, path.media.first, hit.t, shaded);
+            }
             Vec3 local = local_light(world, point, normal, shading, finish, view, shaded, tally);
             radiance = select(shaded, radiance + path.weight * local, radiance);
 
@@ -204,73 +89,57 @@ FN_LARGE Vec3 whitted_radiance(IN(WorldRecord) world, IN(Ray) camera, Mask alive
                 Float reflects = finish.reflectivity;
                 Mask glass = both(here, finish.transparency > Float(0.0f));
                 if (some(glass)) {
-                    Media beyond = select_media(inside, left(path.media, finish.material), entered(path.media, finish.material));
-                    // Leaving a body that was never entered: it must have been there all along.
-                    Int behind = beyond.first;
-                    Int front = select(inside, finish.material, path.media.first);
-                    Mask white = is_equal(path.band, Int(-1));
-                    Float d_line = Float(D_LINE);
-                    Float nanometres = select(path.splits, d_line, band_wavelength(world, path.band, glass));
-                    Float eta = refractive_index(world, behind, nanometres, glass) / refractive_index(world, front, nanometres, glass);
-                    Float cos_t = Float(0.0f);
-                    Float share = fresnel(cos_i, eta, cos_t);
+                    Float nanometres = select(path.splits, Float(D_LINE), band_wavelength(world, path.band, glass));
+                    Border border = border_at(world, path.media, finish.material, inside, cos_i, nanometres, glass);
                     Float body = (Float(1.0f) - finish.reflectivity) * finish.transparency;
-                    reflects = select(glass, finish.reflectivity + body * share, reflects);
-                    Float refracts = select(glass, body * (Float(1.0f) - share), Float(0.0f));
+                    reflects = select(glass, finish.reflectivity + body * border.share, reflects);
+                    Float refracts = select(glass, body * (Float(1.0f) - border.share), Float(0.0f));
 
-                    // White light before a dispersive glass waits to come back once for each wavelength.
-                    Mask disperses = both(both(glass, finish.dispersive), both(white, refracts > Float(0.0f)));
-                    if (world.band_count > 0 && some(disperses)) {
-                        WhittedPath split = path;
-                        split.alive = disperses;
-                        split.splits = disperses;
-                        split.band = Int(0);
-                        waiting[waiting_count] = split;
+                    // White light before a dispersive glass waits, to come back once for each wavelength.
+                    Mask disperses = both(both(glass, finish.dispersive), both(is_equal(path.band, Int(-1)), refracts > Float(0.0f)));
+                    if (some(disperses)) {
+                        waiting[waiting_count] = path;
+                        waiting[waiting_count].alive = disperses;
+                        waiting[waiting_count].splits = disperses;
+                        waiting[waiting_count].band = select(disperses, Int(0), path.band);
                         ++waiting_count;
                     }
 
-                    // The others are refracted now: white through plain glass, single wavelengths through any.
+                    // Here it is again: it brings its wavelength's share of what white light refracts. Where this wavelength alone is totally
+                    // reflected that goes the mirrored way; what white light reflects was followed the first time.
                     if (some(path.splits)) {
                         Float own = band_wavelength(world, path.band, path.splits);
-                        Float own_eta = refractive_index(world, behind, own, glass) / refractive_index(world, front, own, glass);
-                        Float own_cos_t = Float(0.0f);
-                        Float own_share = fresnel(cos_i, own_eta, own_cos_t);
-                        eta = select(path.splits, own_eta, eta);
-                        cos_t = select(path.splits, own_cos_t, cos_t);
-                        // Where this wavelength alone is totally reflected it takes the mirrored way below.
-                        share = select(path.splits, own_share, share);
+                        Border own_border = border_at(world, path.media, finish.material, inside, cos_i, own, path.splits);
+                        border = select_border(path.splits, own_border, border);
+                        Mask turned_back = both(path.splits, border.share >= Float(1.0f));
+                        path.weight = select(path.splits, path.weight * band_weight(world, path.band, path.splits), path.weight);
+                        reflects = select(path.splits, select(turned_back, refracts, Float(0.0f)), reflects);
                     }
-                    Mask bends = without(both(glass, refracts > Float(0.0f)), disperses);
-                    bends = without(bends, share >= Float(1.0f));
+
+                    Vec3 refracted_weight = path.weight * refracts;
+                    Mask bends = both(without(glass, disperses), both(refracts > Float(0.0f), border.share < Float(1.0f)));
+                    bends = both(bends, is_worth_following(world, refracted_weight, path.band));
                     if (some(bends)) {
-                        WhittedPath child = path;
-                        child.direction = refracted(ray.direction, shading, cos_i, cos_t, eta);
-                        child.origin = leave_surface(point.position, point.error, normal, -normal);
-                        child.weight = path.weight * refracts;
-                        if (some(path.splits)) {
-                            child.weight = select(path.splits, child.weight * band_weight(world, path.band, path.splits), child.weight);
-                        }
-                        child.media = beyond;
-                        child.alive = bends;
-                        child.splits = nobody;
-                        child.bounce = path.bounce + 1;
-                        waiting[waiting_count] = child;
+                        waiting[waiting_count] = path;
+                        waiting[waiting_count].direction = refracted(ray.direction, shading, cos_i, border.cos_t, border.eta);
+                        waiting[waiting_count].origin = leave_surface(point.position, point.error, normal, -normal);
+                        waiting[waiting_count].weight = refracted_weight;
+                        waiting[waiting_count].media = border.beyond;
+                        waiting[waiting_count].alive = bends;
+                        waiting[waiting_count].splits = nobody;
+                        waiting[waiting_count].bounce = path.bounce + 1;
                         ++waiting_count;
                     }
-                    Mask turned_back = both(both(path.splits, glass), share >= Float(1.0f));
-                    Vec3 turned_weight = path.weight * refracts * band_weight(world, path.band, turned_back);
-                    path.weight = select(turned_back, turned_weight, path.weight);
-                    reflects = select(path.splits, select(turned_back, Float(1.0f), Float(0.0f)), reflects);
-                    path.splits = nobody;
                 }
-                Mask bounces = both(here, reflects > Float(0.0f));
+                Vec3 mirrored_weight = path.weight * reflects;
+                Mask bounces = both(both(here, reflects > Float(0.0f)), is_worth_following(world, mirrored_weight, path.band));
                 if (some(bounces)) {
                     Vec3 direction = normalize(mirror(view, shading));
                     // A smooth normal may send the mirrored ray under the surface: the true normal does not.
                     direction = select(dot(direction, normal) > Float(0.0f), direction, normalize(mirror(view, normal)));
                     path.origin = leave_surface(point.position, point.error, normal, direction);
                     path.direction = direction;
-                    path.weight = path.weight * reflects;
+                    path.weight = mirrored_weight;
                     path.alive = bounces;
                     path.splits = nobody;
                     ++path.bounce;

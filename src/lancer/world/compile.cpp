@@ -58,6 +58,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
         diagnostics.error({scene.file, 0, 0}, std::to_string(scene.settings.bounces) + " bounces: expected 0 to " + std::to_string(kernel::MAX_BOUNCES));
     }
     world->bounces = scene.settings.bounces;
+    world->min_weight = static_cast<float>(scene.settings.min_weight);
     world->camera = compile_camera(camera, scene.settings.width, scene.settings.height);
     world->ambient = to_float(scene.ambient);
     world->zenith = to_float(scene.background.zenith);

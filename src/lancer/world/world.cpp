@@ -45,6 +45,7 @@ kernel::WorldRecord World::record() const {
     r.light_count = static_cast<int>(lights.size());
     r.band_count = static_cast<int>(bands.size());
     r.bounces = bounces;
+    r.min_weight = min_weight;
     r.has_transparency = has_transparency ? 1 : 0;
     r.ambient = ambient;
     r.zenith = zenith;

@@ -48,6 +48,7 @@ public:
     kernel::vec3 horizon{0.0f};
     kernel::vec3 nadir{0.0f};
     int bounces = 0;
+    float min_weight = 0.0f;
     bool has_transparency = false;
 
     // All of it by address, as the kernel takes it.

@@ -69,6 +69,7 @@ void read_render(Context& context, const toml::node& node) {
     settings.antialiasing = reader.choice("aa") == 0 ? scene::Antialiasing::uniform : scene::Antialiasing::adaptive;
     settings.adaptive_threshold = reader.number("adaptive_threshold");
     settings.adaptive_depth = reader.integer("adaptive_depth");
+    settings.min_weight = reader.number("min_weight");
     settings.wavelengths = reader.integer("wavelengths");
     settings.exposure = reader.number("exposure");
 }

@@ -262,11 +262,13 @@ const Table& render() {
         "How the picture is made; the command line has the last word.",
         {{"size", Kind::size, glm::dvec2(1280.0, 720.0), Range{1.0, 65536.0}, "pixels", "Width and height of the picture."},
          {"integrator", Kind::choice, "whitted", any, "", "How light is followed.", false, {"whitted"}},
-         {"bounces", Kind::integer, 5.0, Range{0.0, 64.0}, "", "Reflections and refractions after the first hit."},
+         {"bounces", Kind::integer, 5.0, Range{0.0, 24.0}, "", "Reflections and refractions after the first hit."},
          {"ssaa", Kind::integer, 1.0, Range{1.0, 64.0}, "", "Supersampling: ssaa x ssaa samples a pixel."},
          {"aa", Kind::choice, "uniform", any, "", "The same samples for every pixel, or more where neighbours differ.", false, {"uniform", "adaptive"}},
          {"adaptive_threshold", Kind::number, 0.02, Range{0.0, 1.0}, "", "The difference of display values that makes a cell be cut in four."},
          {"adaptive_depth", Kind::integer, 3.0, Range{0.0, 8.0}, "", "How often a cell is cut at most."},
+         {"min_weight", Kind::number, 0.0005, Range{0.0, 1.0}, "",
+          "Reflected and refracted rays that can bring less than this share of their light to the pixel are not followed."},
          {"wavelengths", Kind::integer, 48.0, Range{1.0, 1024.0}, "", "How many carry a path through glass that spreads colours."},
          {"exposure", Kind::number, 0.0, Range{-100.0, 100.0}, "stops", "Brightens the picture by 2^exposure."}}};
     return table;
