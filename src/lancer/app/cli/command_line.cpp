@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "lancer/app/cli/render_arguments.h"

@@ -3,6 +3,8 @@
 
 #include <memory>
 
+#include <CLI/CLI.hpp>
+
 #include "lancer/app/cli/command_line.h"
 #include "lancer/app/cli/render_arguments.h"
 

@@ -1,5 +1,6 @@
 #include "lancer/app/cli/render_arguments.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "lancer/kernel/records.h"

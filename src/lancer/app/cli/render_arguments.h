@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "lancer/app/cli/values.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace lancer::app {
 

@@ -1,4 +1,5 @@
 // lancer schema
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "lancer/app/cli/command_line.h"

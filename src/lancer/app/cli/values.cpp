@@ -6,6 +6,7 @@
 #include <functional>
 #include <string_view>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "lancer/base/diagnostic.h"

@@ -1,6 +1,8 @@
 // lancer view SCENE
 #include <memory>
 
+#include <CLI/CLI.hpp>
+
 #include "lancer/app/cli/command_line.h"
 #include "lancer/app/window/show.h"
 
