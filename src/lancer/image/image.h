@@ -29,7 +29,7 @@ void write_image(const std::string& path, const Image& image, const Metadata& me
 // How colours are stored in the file that is read.
 enum class Encoding { automatic, linear, srgb };  // automatic: 8- and 16-bit integers are sRGB, floats linear
 
-// Reads PNG, JPEG, EXR, HDR, TIFF, BMP, TGA, PNM and PFM, WebP and DDS; the first bytes say which, not the name. Alpha is as the file
+// Reads PNG, JPEG, EXR, HDR, TIFF, BMP, TGA, PNM, PFM and WebP; the first bytes say which, not the name. Alpha is as the file
 // has it, never sRGB. Throws std::runtime_error with a sentence when the file is missing, broken or too large, MachineFailure when what
 // reads images is not installed.
 Image read_image(const std::string& path, Encoding encoding = Encoding::automatic);
