@@ -1,7 +1,8 @@
 # The scenes that the program carries with it, so that it shows its figures wherever it is started: everything under scenes/ but what only
 # benchmarks and tests use.
 function(lancer_embed_scenes target)
-    file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/scenes/report/* ${PROJECT_SOURCE_DIR}/scenes/gallery/*)
+    file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/scenes/*)
+    list(FILTER files EXCLUDE REGEX "^scenes/(benchmark|analytic)/")
     list(SORT files)
     set(generated ${CMAKE_CURRENT_BINARY_DIR}/embedded_scenes.cpp)
     list(TRANSFORM files PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE dependencies)

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <optional>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "lancer/app/cli/render_arguments.h"
 #include "lancer/app/cli/spelling.h"

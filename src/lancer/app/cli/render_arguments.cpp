@@ -1,7 +1,7 @@
 #include "lancer/app/cli/render_arguments.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "lancer/kernel/records.h"
 #include "lancer/render/render.h"

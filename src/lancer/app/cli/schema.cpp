@@ -1,6 +1,6 @@
 // lancer schema
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "lancer/app/cli/command_line.h"
 #include "lancer/app/exit_status.h"

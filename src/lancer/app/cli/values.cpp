@@ -6,8 +6,8 @@
 #include <functional>
 #include <string_view>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "lancer/base/diagnostic.h"
 

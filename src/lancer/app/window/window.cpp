@@ -199,12 +199,20 @@ private:
 }  // namespace
 
 Display::Display() {
-    // Without any of these SDL might take over a text console, or draw to nowhere.
-    if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY") && !is_set("SDL_VIDEODRIVER")) {
+    // Left alone, SDL might take over a text console, or draw to nowhere.
+    std::string drivers;
+    if (is_set("SDL_VIDEODRIVER")) {
+        drivers = std::getenv("SDL_VIDEODRIVER");
+    } else if (is_set("DISPLAY")) {
+        drivers = is_set("WAYLAND_DISPLAY") ? "x11,wayland" : "x11";
+    } else if (is_set("WAYLAND_DISPLAY")) {
+        drivers = "wayland";
+    } else {
         reason_ = "neither DISPLAY nor WAYLAND_DISPLAY is set";
         return;
     }
     try {
+        sdl().SetHint(SDL_HINT_VIDEODRIVER, drivers.c_str());
         there_ = sdl().InitSubSystem(SDL_INIT_VIDEO) == 0;
         if (!there_) {
             reason_ = sdl().GetError();
