@@ -80,6 +80,22 @@ FN SurfacePoint mesh_surface(IN(WorldRecord) world, int instance_index, Int part
     return s;
 }
 
+// A triangle of a small mesh. Where the mesh has nothing of its own at its corners, all lanes share what there is to read.
+FN SurfacePoint loose_triangle_surface(IN(WorldRecord) world, IN(ObjectRecord) object, IN(Hit) hit, Mask mask) {
+    SurfacePoint s;
+    if (AT(world.meshes, object.mesh).flags != 0) {
+        s = mesh_surface(world, object.instance, hit.part, hit.u, hit.v, mask);
+    } else {
+        TriangleRecord triangle = AT(world.triangles, object.index);
+        InstanceRecord instance = AT(world.instances, object.instance);
+        s = triangle_surface(broadcast(triangle.a), broadcast(triangle.b), broadcast(triangle.c), hit.u, hit.v);
+        s.normal = instance.flips != 0 ? -s.normal : s.normal;
+        s.shading = s.normal;
+        s.local = apply_affine(instance.to_object, s.position);
+    }
+    return s;
+}
+
 FN SurfacePoint object_surface(IN(WorldRecord) world, IN(ObjectRecord) object, IN(Ray) ray, IN(Hit) hit, Mask mask) {
     SurfacePoint s;
     if (object.kind == OBJECT_SPHERE) {
@@ -89,7 +105,7 @@ FN SurfacePoint object_surface(IN(WorldRecord) world, IN(ObjectRecord) object, I
     } else if (object.kind == OBJECT_PLANE) {
         s = plane_surface(AT(world.planes, object.index), ray, hit.t);
     } else if (object.kind == OBJECT_TRIANGLE) {
-        s = mesh_surface(world, object.instance, hit.part, hit.u, hit.v, mask);
+        s = loose_triangle_surface(world, object, hit, mask);
     } else if (object.kind == OBJECT_MESH) {
         s = mesh_surface(world, object.index, hit.part, hit.u, hit.v, mask);
     } else {
