@@ -172,6 +172,10 @@ FN Vec3 placed_rounding(IN(PlacedRecord) shape) {
     return back * Float(10.0f * ROUNDING) + vec3_all(Float(6.0f * ROUNDING));
 }
 
+// How many such units a point keeps from the edges of its face: leaving it, a ray is moved along the normal by up to 3 of them for a turned
+// shape (each coordinate of the world may hold a share of three), and along the face by more where the shape is stretched.
+const float ROOM = 8.0f;
+
 FN SurfacePoint placed_surface(IN(PlacedRecord) shape, int kind, IN(Ray) ray, Float t) {
     SurfacePoint s;
     Vec3 o = apply_affine(shape.to_object, ray.origin);
@@ -191,13 +195,13 @@ FN SurfacePoint placed_surface(IN(PlacedRecord) shape, int kind, IN(Ray) ray, Fl
         local_ray.direction = d;
         local_ray.reach = ray.reach;
         n = slab_normal(-one, one, local_ray, slab_reciprocal(d));
-        p = onto_face(-one, one, rounding * Float(2.0f), n, p);
+        p = onto_face(-one, one, rounding * Float(ROOM), n, p);
         s.uv = cube_uv(p, n);
     } else if (kind == OBJECT_PLACED_DISK) {
         p = vec3_of(p.x, Float(0.0f), p.z);
         s.uv = vec2_of(p.x * Float(0.5f) + Float(0.5f), Float(0.5f) - p.z * Float(0.5f));
     } else {
-        ConePoint point = cone_point(shape, o, d, p, rounding * Float(2.0f));
+        ConePoint point = cone_point(shape, o, d, p, rounding * Float(ROOM));
         p = point.p;
         n = point.n;
         s.uv = vec2_of(angle_of(p.x, p.z) * Float(0.5f / PI) + Float(0.5f), p.y);
