@@ -26,10 +26,10 @@ struct Hit {
 // The geometry of the point that was hit, in world space.
 struct SurfacePoint {
     Vec3 position;
-    Vec3 error;      // bound of how far rounding put `position` off the surface, each coordinate; how far along it is not counted
-    Vec3 normal;     // of the surface itself, outwards, length 1
-    Vec3 shading;    // smooth normal, on the side of `normal`, length 1
-    Vec3 local;      // position in object space, for solid textures
+    Vec3 error;    // bound of how far rounding put `position` off the surface, each coordinate; how far along it is not counted
+    Vec3 normal;   // of the surface itself, outwards, length 1
+    Vec3 shading;  // smooth normal, on the side of `normal`, length 1
+    Vec3 local;    // position in object space, for solid textures
     Vec2 uv;
 };
 
