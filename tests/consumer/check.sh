@@ -9,7 +9,7 @@ cmake --install "$build" --prefix "$work/prefix" >"$work/install.log"
 cmake -G Ninja -S "$here" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=Debug
 cmake --build "$work/build"
 "$work/build/consumer"
-for file in bin/lancer share/lancer/scenes share/doc/lancer/LICENSE; do
+for file in bin/lancer share/lancer/scenes share/lancer/lancer.schema.json share/doc/lancer/LICENSE; do
     [ -e "$work/prefix/$file" ] || { echo "not installed: $file"; exit 1; }
 done
 "$work/prefix/bin/lancer" --version
