@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Renders the pictures of the documentation again, with the program that ./run has built, or with the one that LANCER names.
+#   docs/pictures/make.sh            all of them: some minutes
+#   docs/pictures/make.sh prism ...  some, by name
+set -euo pipefail
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
+lancer=${LANCER:-build/release/lancer}
+[ -x "$lancer" ] || { echo "There is no $lancer yet; ./run --help builds it." >&2; exit 1; }
+
+wanted=("$@")
+# picture NAME SCENE [OPTION...]
+picture() {
+    local name=$1 scene=$2
+    shift 2
+    [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " == *" $name "* ]] || return 0
+    "$lancer" render "scenes/$scene.toml" -o "docs/pictures/$name.png" --progress plain "$@" 2>/dev/null
+}
+
+small=(--size 640x360)
+picture figure-1 report/figure-1 --size 960x540
+for camera in fov-90 fov-130 level; do
+    picture "$camera" report/figure-1 --camera "$camera" --size 480x270
+done
+picture low-angle report/figure-1 --camera low-angle --size 480x360
+for bounces in 0 1 2 5; do
+    picture "bounces-$bounces" report/figure-1 --bounces "$bounces" --size 480x270
+done
+picture one-light report/lights --lights left "${small[@]}"
+picture three-lights report/lights "${small[@]}"
+picture first first --size 640x360
+picture aliased features/adaptive --aa uniform --ssaa 1 --size 480x270
+picture ssaa-4 features/adaptive --aa uniform --ssaa 4 --size 480x270
+picture adaptive features/adaptive --size 480x270 --sample-map docs/pictures/adaptive-samples.png
+picture prism features/prism --size 960x540
+for feature in sphere box plane disk cylinder cone mesh-inline mesh-obj mesh-ply transforms groups materials transparency absorption glasses \
+    checker image-texture texture-options light-point light-spot light-directional background camera glass-spheres nested-glass dispersion; do
+    picture "$feature" "features/$feature" "${small[@]}"
+done
+picture camera-wide features/camera --camera wide --size 480x270
+picture camera-tele features/camera --camera tele --size 480x270
+for scene in sphereflake chess glassware city; do
+    picture "$scene" "gallery/$scene" "${small[@]}"
+done
