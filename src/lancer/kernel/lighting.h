@@ -24,23 +24,28 @@ FN Vec3 background(IN(WorldRecord) world, Vec3 direction) {
     return select(up < Float(0.0f), below, above);
 }
 
-// How much of a lamp's light arrives through transparent bodies, which dim it and do not bend it on this way.
-FN_LARGE Vec3 light_through(IN(WorldRecord) world, IN(Ray) ray, Mask alive, INOUT(RayTally) tally) {
+// How much of a lamp's light arrives through transparent bodies, which dim it and do not bend it on this way. `start`: what the ray's origin is
+// inside of.
+FN_LARGE Vec3 light_through(IN(WorldRecord) world, IN(Ray) ray, IN(Media) start, Mask alive, INOUT(RayTally) tally) {
     Vec3 passes = vec3_all(Float(1.0f));
     Ray rest = ray;
+    Media media = start;
     Mask going = alive;
     for (int i = 0; i < SHADOW_SURFACES && some(going); ++i) {
         tally.shadow += lanes_in(going);
         Hit hit = closest_hit(world, rest, going);
-        going = both(going, is_above(hit.object, Int(-1)));
+        Mask arrives = without(going, is_above(hit.object, Int(-1)));
+        passes = passes * transmittance(world, media.first, rest.reach, arrives);
+        going = without(going, arrives);
         if (some(going)) {
             SurfacePoint point = no_surface();
             Finish finish = no_finish();
             find_surface(world, rest, hit, going, point, finish);
             Float through = finish.transparency * (Float(1.0f) - finish.reflectivity);
-            Mask leaves = both(going, dot(point.normal, rest.direction) > Float(0.0f));
-            Vec3 dimmed = passes * through * select(leaves, transmittance(world, finish.material, hit.t, leaves), vec3_all(Float(1.0f)));
-            passes = select(going, dimmed, passes);
+            Mask leaves = dot(point.normal, rest.direction) > Float(0.0f);
+            Int medium = medium_before(media, finish.material, leaves);
+            passes = select(going, passes * through * transmittance(world, medium, hit.t, going), passes);
+            media = select_media(leaves, left(media, finish.material), entered(media, finish.material));
             going = both(going, through > Float(0.0f));
             Vec3 next = leave_surface(point.position, point.error, point.normal, rest.direction);
             rest.reach = select(rest.reach < Float(FAR), rest.reach - dot(next - rest.origin, rest.direction), rest.reach);
@@ -51,9 +56,9 @@ FN_LARGE Vec3 light_through(IN(WorldRecord) world, IN(Ray) ray, Mask alive, INOU
     return select(going, vec3_all(Float(0.0f)), passes);
 }
 
-// Ambient, diffuse and highlight of every lamp at the point; `normal` faces the viewer.
-FN Vec3 local_light(IN(WorldRecord) world, IN(SurfacePoint) point, Vec3 normal, Vec3 shading, IN(Finish) finish, Vec3 view, Mask here,
-                    INOUT(RayTally) tally) {
+// Ambient, diffuse and highlight of every lamp at the point; `normal` faces the viewer, who sees it through `media`.
+FN Vec3 local_light(IN(WorldRecord) world, IN(SurfacePoint) point, Vec3 normal, Vec3 shading, IN(Finish) finish, IN(Media) media, Vec3 view,
+                    Mask here, INOUT(RayTally) tally) {
     Float body = (Float(1.0f) - finish.reflectivity) * (Float(1.0f) - finish.transparency);
     Vec3 diffuse = finish.color * (finish.diffuse * body);
     Vec3 light_sum = broadcast(world.ambient) * finish.color * (finish.ambient * body);
@@ -70,7 +75,7 @@ FN Vec3 local_light(IN(WorldRecord) world, IN(SurfacePoint) point, Vec3 normal, 
             shadow.reach = s.distance;
             Vec3 arrives = broadcast(light.radiance) * s.share;
             if (world.has_transparency != 0) {
-                arrives = arrives * light_through(world, shadow, lit, tally);
+                arrives = arrives * light_through(world, shadow, media, lit, tally);
             } else {
                 tally.shadow += lanes_in(lit);
                 lit = without(lit, occluded(world, shadow, lit));

@@ -49,6 +49,17 @@ FN Media left(IN(Media) media, Int material) {
     return m;
 }
 
+FN Mask is_inside(IN(Media) media, Int material) {
+    return either(either(is_equal(media.first, material), is_equal(media.second, material)),
+                  either(is_equal(media.third, material), is_equal(media.fourth, material)));
+}
+
+// What fills the way to a border of `material`; `inside`: the border is met from within. A body that is left without having been entered was
+// there all along. Where bodies overlap, the one entered last fills the overlap, so that a ray is in one medium from border to border.
+FN Int medium_before(IN(Media) media, Int material, Mask inside) {
+    return select(without(inside, is_inside(media, material)), material, media.first);
+}
+
 FN Media select_media(Mask mask, IN(Media) a, IN(Media) b) {
     Media m;
     m.first = select(mask, a.first, b.first);
@@ -104,9 +115,10 @@ FN Vec3 transmittance(IN(WorldRecord) world, Int material, Float distance, Mask 
 // Share of unpolarised light that a smooth border reflects [Fresnel 1823]; `eta` is the index behind over the one in front. Also gives the
 // cosine of the refracted ray; all is reflected, and that cosine 0, beyond the critical angle.
 FN Float fresnel(Float cos_i, Float eta, INOUT(Float) cos_t) {
-    Float sin_t_2 = (Float(1.0f) - cos_i * cos_i) / (eta * eta);
-    Mask total = sin_t_2 >= Float(1.0f);
-    cos_t = sqrt(max(Float(1.0f) - sin_t_2, Float(0.0f)));
+    // 1 - sin^2 / eta^2, without cancellation where eta is near 1 or the angle near the critical one.
+    Float cos_t_2 = ((eta - Float(1.0f)) * (eta + Float(1.0f)) + cos_i * cos_i) / (eta * eta);
+    Mask total = cos_t_2 <= Float(0.0f);
+    cos_t = sqrt(max(cos_t_2, Float(0.0f)));
     Float parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
     Float perpendicular = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
     Float share = (parallel * parallel + perpendicular * perpendicular) * Float(0.5f);
@@ -121,11 +133,11 @@ struct Border {
     Float share;   // reflected
 };
 
-// `inside`: the ray meets the body's border from within. A body that is left without having been entered was there all along.
+// `inside`: the ray meets the body's border from within.
 FN Border border_at(IN(WorldRecord) world, IN(Media) media, Int material, Mask inside, Float cos_i, Float nanometres, Mask alive) {
     Border border;
     border.beyond = select_media(inside, left(media, material), entered(media, material));
-    Int front = select(inside, material, media.first);
+    Int front = medium_before(media, material, inside);
     border.eta = refractive_index(world, border.beyond.first, nanometres, alive) / refractive_index(world, front, nanometres, alive);
     border.cos_t = Float(0.0f);
     border.share = fresnel(cos_i, border.eta, border.cos_t);

@@ -17,11 +17,11 @@ const int WHITTED_STACK = 2 * MAX_BOUNCES + 2;  // two may wait for each bounce
 struct WhittedPath {
     Vec3 origin;
     Vec3 direction;
-    Vec3 weight;   // of what it brings, linear RGB
+    Vec3 weight;  // of what it brings, linear RGB
     Media media;
-    Int band;      // the wavelength that carries it, -1 = white
+    Int band;  // the wavelength that carries it, -1 = white
     Mask alive;
-    Mask splits;   // it comes from the camera's side to a dispersive surface, to be refracted there at `band`
+    Mask splits;  // it comes from the camera's side to a dispersive surface, to be refracted there at `band`
     int bounce;
 };
 
@@ -53,7 +53,8 @@ FN_LARGE Vec3 whitted_radiance(IN(WorldRecord) world, IN(Ray) camera, Mask alive
     bool going = some(alive);
     while (going) {
         if (path.bounce == 0) {
-            tally.camera += lanes_in(path.alive);
+            tally.camera += lanes_in(without(path.alive, path.splits));
+            tally.secondary += lanes_in(path.splits);
         } else {
             tally.secondary += lanes_in(path.alive);
         }
@@ -79,9 +80,9 @@ FN_LARGE Vec3 whitted_radiance(IN(WorldRecord) world, IN(Ray) camera, Mask alive
 
             Mask shaded = without(here, path.splits);
             if (world.has_transparency != 0) {
-                path.weight = path.weight * transmittance(world, path.media.first, hit.t, shaded);
+                path.weight = path.weight * transmittance(world, medium_before(path.media, finish.material, inside), hit.t, shaded);
             }
-            Vec3 local = local_light(world, point, normal, shading, finish, view, shaded, tally);
+            Vec3 local = local_light(world, point, normal, shading, finish, path.media, view, shaded, tally);
             radiance = select(shaded, radiance + path.weight * local, radiance);
 
             if (path.bounce < world.bounces) {
