@@ -12,7 +12,7 @@ Figure bounces(const std::string& number, const std::string& caption) {
 }
 
 Figure supersampling(const std::string& factor, const std::string& caption) {
-    return {"ssaa-" + factor, caption, figure_1, {"--ssaa", factor}, Enlargement{470, 250, 80, 45, 8}};
+    return {"ssaa-" + factor, caption, figure_1, {"--ssaa", factor}, Enlargement{385, 470, 80, 45, 8}};
 }
 
 std::vector<FigureGroup> make_table() {
@@ -48,7 +48,7 @@ std::vector<FigureGroup> make_table() {
            "Figure 1 with the samples where they matter.",
            figure_1,
            {"--aa", "adaptive"},
-           Enlargement{470, 250, 80, 45, 8},
+           Enlargement{385, 470, 80, 45, 8},
            true}}},
     };
 }
