@@ -328,6 +328,7 @@ TEST(Ply, ExplainsMistakes) {
          ":3:16: error: expected how many \"vertex\" there are, not \"18446744073709551616\"\n"},
         {binary(three + "element face 1000000\n" + face_properties, in_bytes + "\3"),
          ":7:1: error: 1000000 \"face\" elements need at least 1 bytes each, but only 1 bytes are left\n"},
+        {binary("element vertex 0\n" + vertex_properties, ""), ": error: this mesh has no triangles\n"},
         {binary(three + one_face, in_bytes + "\3"), ": error: the file ends after 0 of 1 \"face\" elements\n"},
         {binary(three + "element face 1\nproperty list int int vertex_indices\n", in_bytes + "\xff\xff\xff\xff"),
          ": error: \"face\" element 0 (counted from 0): a list can't have -1 entries, 0 bytes are left\n"},

@@ -80,7 +80,7 @@ private:
     // All elements have the same size.
     bool read_fixed(const Element& element, std::size_t stride) {
         const std::size_t count = static_cast<std::size_t>(element.count);
-        if (meaning_of(element) == Meaning::vertices) {
+        if (count > 0 && meaning_of(element) == Meaning::vertices) {
             read_columns(element, count, stride);
         }
         at_ += count * stride;

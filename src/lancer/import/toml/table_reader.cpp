@@ -124,8 +124,9 @@ std::string alternatives(const std::vector<std::string_view>& words) {
 TableReader::TableReader(Messages& messages, const toml::table& table, const Table& description, const Inside& inside)
     : messages_(messages), table_(table), description_(description) {
     for (const auto& [key, value] : table) {
-        const auto is_section = [&](const Section& section) { return section.name == key.str(); };
-        const bool known = description.find(key.str()) || (inside.named_tables && value.is_table()) ||
+        const std::string_view word = key.str();
+        const auto is_section = [word](const Section& section) { return section.name == word; };
+        const bool known = description.find(word) || (inside.named_tables && value.is_table()) ||
                            std::any_of(inside.sections.begin(), inside.sections.end(), is_section);
         if (!known) {
             complain_about_unknown(key, inside);

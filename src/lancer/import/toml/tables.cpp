@@ -265,7 +265,7 @@ const Table& render() {
          {"bounces", Kind::integer, 5.0, Range{0.0, 24.0}, "", "Reflections and refractions after the first hit."},
          {"ssaa", Kind::integer, 1.0, Range{1.0, 64.0}, "", "Supersampling: ssaa x ssaa samples a pixel."},
          {"aa", Kind::choice, "uniform", any, "", "The same samples for every pixel, or more where neighbours differ.", false, {"uniform", "adaptive"}},
-         {"adaptive_threshold", Kind::number, 0.02, Range{0.0, 1.0}, "", "The difference of display values that makes a cell be cut in four."},
+         {"adaptive_threshold", Kind::number, 0.03, Range{0.0, 1.0}, "", "The difference of display values that makes a cell be cut in four."},
          {"adaptive_depth", Kind::integer, 3.0, Range{0.0, 8.0}, "", "How often a cell is cut at most."},
          {"min_weight", Kind::number, 0.0005, Range{0.0, 1.0}, "",
           "Reflected and refracted rays that can bring less than this share of their light to the pixel are not followed."},
