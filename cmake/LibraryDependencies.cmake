@@ -12,9 +12,6 @@ set_target_properties(xsimd PROPERTIES INTERFACE_LINK_LIBRARIES "")  # Debian's 
 if(NOT TARGET PkgConfig::TOMLPLUSPLUS)
     pkg_check_modules(TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
 endif()
-if(NOT TARGET PkgConfig::TINYOBJLOADER)
-    pkg_check_modules(TINYOBJLOADER REQUIRED IMPORTED_TARGET tinyobjloader)
-endif()
 if(NOT TARGET PkgConfig::OPENEXR)
     pkg_check_modules(OPENEXR REQUIRED IMPORTED_TARGET OpenEXR)  # its CMake files complain about Python libraries that nobody asked for
 endif()
