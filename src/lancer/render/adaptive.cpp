@@ -39,8 +39,17 @@ void AdaptiveSampler::begin_tile(const Tile& tile) {
     corners_.clear();
     points_.clear();
     followed_ = 0;
-    cells_.clear();
-    samples_.assign(static_cast<std::size_t>(tile.width()) * static_cast<std::size_t>(tile.height()), 0);
+    const std::size_t pixels = static_cast<std::size_t>(tile.width()) * static_cast<std::size_t>(tile.height());
+    samples_.assign(pixels, 0);
+    pixel_cut_.assign(pixels, 0);
+    contrast_.assign(pixels, 0.0f);
+}
+
+// The pixel of a lattice point; on the far borders of the tile the last one.
+std::size_t AdaptiveSampler::pixel_of(int x, int y) const {
+    const int pixel_x = std::min(x >> depth_, tile_.width() - 1);
+    const int pixel_y = std::min(y >> depth_, tile_.height() - 1);
+    return static_cast<std::size_t>(pixel_y) * static_cast<std::size_t>(tile_.width()) + static_cast<std::size_t>(pixel_x);
 }
 
 bool AdaptiveSampler::want(int x, int y) {
@@ -54,17 +63,14 @@ bool AdaptiveSampler::want(int x, int y) {
     corners_.push_back({{x, y}, glm::vec3(0.0f)});
     index = static_cast<std::uint32_t>(corners_.size());
 
-    // A sample counts for the pixel it lies in; on the far borders of the tile for the last one.
-    const int pixel_x = std::min(x >> depth_, tile_.width() - 1);
-    const int pixel_y = std::min(y >> depth_, tile_.height() - 1);
-    ++samples_[static_cast<std::size_t>(pixel_y) * static_cast<std::size_t>(tile_.width()) + static_cast<std::size_t>(pixel_x)];
+    ++samples_[pixel_of(x, y)];  // a sample counts for the pixel it lies in
     return true;
 }
 
-void AdaptiveSampler::want_on_edge(int x, int y, int beyond_x, int beyond_y) {
-    const bool inside = beyond_x >= 0 && beyond_y >= 0 && beyond_x < tile_.width() << depth_ && beyond_y < tile_.height() << depth_;
-    if (want(x, y) && inside) {
-        witnesses_.push_back({{x, y}, {beyond_x, beyond_y}});
+void AdaptiveSampler::want_on_edge(const Place& middle, const Place& step, const Place& beyond) {
+    const bool inside = beyond.x >= 0 && beyond.y >= 0 && beyond.x < tile_.width() << depth_ && beyond.y < tile_.height() << depth_;
+    if (want(middle.x, middle.y) && inside) {
+        witnesses_.push_back({middle, step, beyond});
     }
 }
 
@@ -111,11 +117,12 @@ void AdaptiveSampler::cut(const Cell& cell) {
     const auto& [x, y] = cell.corner;
     const int size = cell.size;
     const int half = size / 2;
-    want_on_edge(x + half, y, x + half, y - 1);
-    want_on_edge(x, y + half, x - 1, y + half);
+    pixel_cut_[pixel_of(x, y)] = 1;
+    want_on_edge({x + half, y}, {half, 0}, {x + half, y - 1});
+    want_on_edge({x, y + half}, {0, half}, {x - 1, y + half});
     want(x + half, y + half);
-    want_on_edge(x + size, y + half, x + size, y + half);
-    want_on_edge(x + half, y + size, x + half, y + size);
+    want_on_edge({x + size, y + half}, {0, half}, {x + size, y + half});
+    want_on_edge({x + half, y + size}, {half, 0}, {x + half, y + size});
     if (half > 1) {  // the smallest cells need not be looked at
         next_.push_back({{x, y}, half});
         next_.push_back({{x + half, y}, half});
@@ -128,6 +135,10 @@ void AdaptiveSampler::cut(const Cell& cell) {
 AdaptiveSampler::Cell AdaptiveSampler::leaf_at(const Place& unit) const {
     Cell cell;
     cell.size = 1 << depth_;
+    if (pixel_cut_[pixel_of(unit.x, unit.y)] == 0) {
+        cell.corner = {unit.x & -cell.size, unit.y & -cell.size};
+        return cell;
+    }
     for (;;) {
         cell.corner = {unit.x & -cell.size, unit.y & -cell.size};
         if (cell.size == 1 || !is_cut(cell)) {
@@ -141,20 +152,18 @@ AdaptiveSampler::Cell AdaptiveSampler::leaf_at(const Place& unit) const {
 void AdaptiveSampler::hear_witnesses() {
     revealed_.clear();
     std::erase_if(witnesses_, [&](const Witness& witness) {
-        const Cell leaf = leaf_at(witness.beyond);
         const auto& [x, y] = witness.place;
-        const auto& [left, top] = leaf.corner;
-        const bool on_level_edge = y == top || y == top + leaf.size;
-        const bool inside_edge = on_level_edge ? (x > left && x < left + leaf.size) : (y > top && y < top + leaf.size);
-        if (!inside_edge) {
+        const auto& [dx, dy] = witness.step;
+        if (!differs_from_ends(witness.place, {x - dx, y - dy}, {x + dx, y + dy})) {
             return true;
         }
-        const bool differs = on_level_edge ? differs_from_ends(witness.place, {left, y}, {left + leaf.size, y})
-                                           : differs_from_ends(witness.place, {x, top}, {x, top + leaf.size});
-        if (differs) {
+        const Cell leaf = leaf_at(witness.beyond);
+        const auto& [left, top] = leaf.corner;
+        const bool inside_edge = dx != 0 ? (x > left && x < left + leaf.size) : (y > top && y < top + leaf.size);
+        if (inside_edge) {
             revealed_.push_back(leaf);
         }
-        return !differs;
+        return !inside_edge;
     });
     for (const Cell& cell : revealed_) {
         if (!is_cut(cell)) {
@@ -163,24 +172,53 @@ void AdaptiveSampler::hear_witnesses() {
     }
 }
 
-bool AdaptiveSampler::render_tile(const Tile& tile, Film& film, RayCounts& counts, const std::atomic<bool>* cancel) {
-    begin_tile(tile);
-    const int pixel = 1 << depth_;
-    for_each_in_blocks(tile.width() + 1, tile.height() + 1, device_.lanes(), [&](int x, int y) { want(x * pixel, y * pixel); });
+void AdaptiveSampler::follow_pixel_corners(RayCounts& counts) {
+    const int stride = tile_.width() + 1;
+    for_each_in_blocks(stride, tile_.height() + 1, device_.lanes(), [&](int x, int y) { want(x << depth_, y << depth_); });
     follow_wanted(counts);
-    if (depth_ > 0) {
-        for_each_in_blocks(tile.width(), tile.height(), device_.lanes(), [&](int x, int y) {
-            cells_.push_back({{x * pixel, y * pixel}, pixel});
-        });
+    for (int c = 0; c < 3; ++c) {
+        corner_light_.channel[c].resize(corners_.size());
+        corner_display_.channel[c].resize(corners_.size());
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            const Place& place = corners_[i].place;
+            const std::size_t at = static_cast<std::size_t>(place.y >> depth_) * static_cast<std::size_t>(stride) +
+                                   static_cast<std::size_t>(place.x >> depth_);
+            corner_light_.channel[c][at] = radiance_[i][c];
+            corner_display_.channel[c][at] = corners_[i].display[c];
+        }
     }
-    while (!cells_.empty()) {
-        next_.clear();
-        witnesses_.clear();
-        for (const Cell& cell : cells_) {
-            if (!is_cut(cell) && (corners_differ(cell) || edges_differ(cell))) {
-                cut(cell);
+}
+
+void AdaptiveSampler::cut_pixels() {
+    const std::size_t width = static_cast<std::size_t>(tile_.width());
+    for (const std::vector<float>& plane : corner_display_.channel) {
+        for (std::size_t y = 0; y < static_cast<std::size_t>(tile_.height()); ++y) {
+            const float* const upper = plane.data() + y * (width + 1);
+            const float* const lower = upper + (width + 1);
+            float* const contrast = contrast_.data() + y * width;
+            for (std::size_t x = 0; x < width; ++x) {
+                const float highest = std::max(std::max(upper[x], upper[x + 1]), std::max(lower[x], lower[x + 1]));
+                const float lowest = std::min(std::min(upper[x], upper[x + 1]), std::min(lower[x], lower[x + 1]));
+                contrast[x] = std::max(contrast[x], highest - lowest);
             }
         }
+    }
+    for_each_in_blocks(tile_.width(), tile_.height(), device_.lanes(), [&](int x, int y) {
+        if (contrast_[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] > threshold_) {
+            cut({{x << depth_, y << depth_}, 1 << depth_});
+        }
+    });
+}
+
+bool AdaptiveSampler::render_tile(const Tile& tile, Film& film, RayCounts& counts, const std::atomic<bool>* cancel) {
+    begin_tile(tile);
+    follow_pixel_corners(counts);
+    next_.clear();
+    witnesses_.clear();
+    if (depth_ > 0) {
+        cut_pixels();
+    }
+    for (;;) {
         while (followed_ < points_.size()) {
             if (is_cancelled(cancel)) {
                 return false;
@@ -188,32 +226,59 @@ bool AdaptiveSampler::render_tile(const Tile& tile, Film& film, RayCounts& count
             follow_wanted(counts);
             hear_witnesses();
         }
+        if (next_.empty()) {
+            break;
+        }
         cells_.swap(next_);
+        next_.clear();
+        witnesses_.clear();
+        for (const Cell& cell : cells_) {
+            if (!is_cut(cell) && (corners_differ(cell) || edges_differ(cell))) {
+                cut(cell);
+            }
+        }
     }
     put_pixels(film);
     return true;
 }
 
+glm::vec3 AdaptiveSampler::mean_of_corners(int pixel_x, int pixel_y) const {
+    const std::size_t stride = static_cast<std::size_t>(tile_.width()) + 1;
+    const std::size_t upper = static_cast<std::size_t>(pixel_y) * stride + static_cast<std::size_t>(pixel_x);
+    const std::size_t lower = upper + stride;
+    glm::vec3 result;
+    for (int c = 0; c < 3; ++c) {
+        const float* const light = corner_light_.channel[c].data();
+        result[c] = ((light[upper] + light[upper + 1]) + (light[lower] + light[lower + 1])) * 0.25f;
+    }
+    return result;
+}
+
 glm::vec3 AdaptiveSampler::mean(const Cell& cell) const {
     const auto& [x, y] = cell.corner;
     const int size = cell.size;
+    const auto light = [&](int at_x, int at_y) -> const glm::vec3& { return radiance_[index(at_x, at_y)]; };
     if (size == 1 || !is_cut(cell)) {
-        const auto light = [&](int corner_x, int corner_y) -> const glm::vec3& { return radiance_[index(corner_x, corner_y)]; };
         return ((light(x, y) + light(x + size, y)) + (light(x, y + size) + light(x + size, y + size))) * 0.25f;
     }
     const int half = size / 2;
+    if (half == 1) {  // four of the smallest cells, in one go
+        const glm::vec3 corners = (light(x, y) + light(x + 2, y)) + (light(x, y + 2) + light(x + 2, y + 2));
+        const glm::vec3 edges = (light(x + 1, y) + light(x, y + 1)) + (light(x + 2, y + 1) + light(x + 1, y + 2));
+        return ((corners + 2.0f * edges) + 4.0f * light(x + 1, y + 1)) * 0.0625f;
+    }
     return ((mean({{x, y}, half}) + mean({{x + half, y}, half})) + (mean({{x, y + half}, half}) + mean({{x + half, y + half}, half}))) *
            0.25f;
 }
 
 void AdaptiveSampler::put_pixels(Film& film) const {
     const int size = 1 << depth_;
-    const std::uint32_t* samples = samples_.data();
     for (int y = 0; y < tile_.height(); ++y) {
         for (int x = 0; x < tile_.width(); ++x) {
             const std::size_t pixel = film.index(tile_.x0 + x, tile_.y0 + y);
-            film.radiance[pixel] = mean({{x * size, y * size}, size});
-            film.samples[pixel] = *samples++;
+            const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(tile_.width()) + static_cast<std::size_t>(x);
+            film.radiance[pixel] = pixel_cut_[i] != 0 ? mean({{x * size, y * size}, size}) : mean_of_corners(x, y);
+            film.samples[pixel] = samples_[i];
         }
     }
 }

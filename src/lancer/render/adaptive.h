@@ -18,7 +18,7 @@
 namespace lancer {
 
 struct AdaptiveOptions {
-    double threshold = 0.02;  // largest difference of a channel's display values, in [0, 1], that is left uncut
+    double threshold = 0.03;  // largest difference of a channel's display values, in [0, 1], that is left uncut
     int depth = 3;            // a pixel's cells are at least 2^-depth pixels wide
 };
 
@@ -46,10 +46,16 @@ private:
         Place place;
         glm::vec3 display;
     };
-    // A new point on the edge of a cell, and the unit square (its upper left corner) on the other side of that edge.
+    // A new point in the middle of a cell's edge.
     struct Witness {
         Place place;
-        Place beyond;
+        Place step;    // from it to one end of the edge
+        Place beyond;  // the unit square (its upper left corner) on the other side of the edge
+    };
+
+    // Most pixels are never cut: their corners are kept in planes as well, x by x, for the processor's vectors.
+    struct Planes {
+        std::vector<float> channel[3];
     };
 
     std::size_t node(int x, int y) const {
@@ -63,8 +69,10 @@ private:
     bool is_cut(const Cell& cell) const { return is_wanted(cell.corner.x + cell.size / 2, cell.corner.y + cell.size / 2); }
 
     void begin_tile(const Tile& tile);
+    void follow_pixel_corners(RayCounts& counts);
+    void cut_pixels();
     bool want(int x, int y);  // put on the list for the next run; false when it was followed or is on the list
-    void want_on_edge(int x, int y, int beyond_x, int beyond_y);
+    void want_on_edge(const Place& middle, const Place& step, const Place& beyond);
     void follow_wanted(RayCounts& counts);  // one long run
     bool corners_differ(const Cell& cell) const;
     bool differs_from_ends(const Place& middle, const Place& a, const Place& b) const;
@@ -72,7 +80,9 @@ private:
     void cut(const Cell& cell);
     Cell leaf_at(const Place& unit) const;
     void hear_witnesses();
+    std::size_t pixel_of(int x, int y) const;
     glm::vec3 mean(const Cell& cell) const;
+    glm::vec3 mean_of_corners(int pixel_x, int pixel_y) const;
     void put_pixels(Film& film) const;
 
     const Device& device_;
@@ -90,7 +100,11 @@ private:
     std::vector<Cell> cells_;              // to be looked at
     std::vector<Cell> next_;               // to be looked at after these
     std::vector<Witness> witnesses_;
-    std::vector<Cell> revealed_;          // cells that witnesses want to be cut
+    std::vector<Cell> revealed_;  // cells that witnesses want to be cut
+    Planes corner_light_;         // of the corners of pixels, row by row, `tile width + 1` in a row
+    Planes corner_display_;
+    std::vector<float> contrast_;         // pixel by pixel: how much the corners differ
+    std::vector<char> pixel_cut_;         // pixel by pixel
     std::vector<std::uint32_t> samples_;  // pixel by pixel
 };
 

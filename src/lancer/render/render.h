@@ -19,7 +19,7 @@ struct RenderOptions {
     int threads = 0;                   // 0: as many as the machine has, one where that can't be known
     int ssaa = 1;                      // ssaa x ssaa samples a pixel on a regular grid
     bool adaptive = false;             // instead of ssaa: subdivide where neighbours differ
-    double adaptive_threshold = 0.02;  // difference of display values in [0, 1] that makes a cell be cut in four
+    double adaptive_threshold = 0.03;  // difference of display values in [0, 1] that makes a cell be cut in four
     int adaptive_depth = 3;            // how often at most
     double exposure = 0.0;             // stops; the comparison is made after it
     std::uint32_t shuffle = 0;         // 0: tiles row by row; otherwise the seed of another order. The picture is the same

@@ -223,7 +223,7 @@ struct RenderSettings {
     int bounces = 5;  // reflections and refractions after the first hit
     int ssaa = 1;     // k x k samples a pixel
     Antialiasing antialiasing = Antialiasing::uniform;
-    double adaptive_threshold = 0.02;  // difference of display values in [0, 1] that makes a cell be cut in four
+    double adaptive_threshold = 0.03;  // difference of display values in [0, 1] that makes a cell be cut in four
     int adaptive_depth = 3;            // how often at most
     double min_weight = 0.0005;        // paths that can bring less than this share of their light to the pixel are not followed
     int wavelengths = 48;              // that carry a path through dispersive glass

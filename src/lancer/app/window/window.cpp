@@ -151,7 +151,7 @@ private:
         std::string state;
         if (painter.is_done()) {
             const RenderStatistics& done = painter.statistics();
-            state = fmt::format("{}, S saves", in_words(done.seconds));
+            state = in_words(done.seconds);
         } else {
             const RenderProgress progress = canvas_.progress();
             const double share =
@@ -161,11 +161,12 @@ private:
                 state += fmt::format(", {:.0f} s left", std::ceil(progress.seconds_left));
             }
         }
-        set_title(state);
+        state_ = state;
+        set_title();
     }
 
-    void set_title(const std::string& state) {
-        const std::string title = fmt::format("{}: {}", title_, state);
+    void set_title() {
+        const std::string title = fmt::format("{}: {}, {}", title_, state_, note_);
         if (title != shown_title_) {
             shown_title_ = title;
             sdl().SetWindowTitle(window_.get(), title.c_str());
@@ -176,11 +177,12 @@ private:
         try {
             write_film(save_as_, canvas_.snapshot(), prepared_.options.exposure, prepared_.metadata);
             fmt::print("Saved as {}\n", save_as_);
-            set_title("saved as " + save_as_);
+            note_ = "saved as " + save_as_;
         } catch (const MachineFailure& failure) {
             fmt::print(stderr, "lancer: error: {}\n", failure.what());
-            set_title("could not be saved");
+            note_ = "could not be saved";
         }
+        set_title();
         std::fflush(stdout);
     }
 
@@ -191,6 +193,8 @@ private:
     Owned<SDL_Window> window_;
     Owned<SDL_Renderer> renderer_;
     Owned<SDL_Texture> texture_;
+    std::string state_;             // how far the picture is
+    std::string note_ = "S saves";  // or what came of it
     std::string shown_title_;
     bool redraw_ = true;
     bool closed_ = false;
