@@ -71,6 +71,7 @@ FN SurfacePoint box_surface(IN(BoxRecord) box, IN(Ray) ray, Float t) {
     s.position = onto_face(low, high, s.error * Float(2.0f), s.normal, ray.origin + ray.direction * t);
     s.shading = s.normal;
     s.local = s.position;
+    s.local_in = -s.normal;
     s.uv = cube_uv((s.position - (low + high) * Float(0.5f)) / ((high - low) * Float(0.5f)), s.normal);
     return s;
 }

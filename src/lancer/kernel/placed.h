@@ -207,6 +207,7 @@ FN SurfacePoint placed_surface(IN(PlacedRecord) shape, int kind, IN(Ray) ray, Fl
         s.uv = vec2_of(angle_of(p.x, p.z) * Float(0.5f / PI) + Float(0.5f), p.y);
     }
     s.local = apply_affine(shape.to_author, p);
+    s.local_in = -normalize(apply_linear(shape.to_author, n));
     s.position = apply_affine(shape.to_world, p);
     s.error = reach_linear(shape.to_world, rounding);
     s.normal = normalize(apply_transposed(shape.to_object, n));

@@ -2,8 +2,7 @@
 #ifndef LANCER_KERNEL_PLANE_H
 #define LANCER_KERNEL_PLANE_H
 
-#include "lancer/kernel/ray.h"
-#include "lancer/kernel/records.h"
+#include "lancer/kernel/placed.h"
 
 NAMESPACE_BEGIN
 
@@ -15,7 +14,7 @@ FN Float plane_distance(IN(PlaneRecord) plane, IN(Ray) ray) {
     return select(both(t > Float(0.0f), t < Float(FAR)), t, Float(FAR));
 }
 
-// Texture coordinates are metres along two axes in the plane.
+// Texture coordinates are metres along two axes in the plane, as the author wrote it.
 FN SurfacePoint plane_surface(IN(PlaneRecord) plane, IN(Ray) ray, Float t) {
     SurfacePoint s;
     Vec3 n = broadcast(plane.normal);
@@ -25,11 +24,13 @@ FN SurfacePoint plane_surface(IN(PlaneRecord) plane, IN(Ray) ray, Float t) {
     s.error = (abs(s.position) + vec3_all(abs(Float(plane.offset)))) * Float(6.0f * ROUNDING);
     s.normal = n;
     s.shading = n;
-    s.local = s.position;
-    Vec3 side = select(abs(n.y) > Float(0.999f), vec3_of(Float(1.0f), Float(0.0f), Float(0.0f)), vec3_of(n.z, Float(0.0f), -n.x));
-    Vec3 u = normalize(side - n * dot(n, side));
-    Vec3 v = cross(n, u);
-    s.uv = vec2_of(dot(u, s.position), dot(v, s.position));
+    s.local = apply_affine(plane.to_author, s.position);
+    Vec3 m = broadcast(plane.author_normal);
+    s.local_in = -m;
+    Vec3 side = select(abs(m.y) > Float(0.999f), vec3_of(Float(1.0f), Float(0.0f), Float(0.0f)), vec3_of(m.z, Float(0.0f), -m.x));
+    Vec3 u = normalize(side - m * dot(m, side));
+    Vec3 v = cross(m, u);
+    s.uv = vec2_of(dot(u, s.local), dot(v, s.local));
     return s;
 }
 

@@ -29,11 +29,6 @@ struct BoxRecord {
     vec3 high;
 };
 
-// Points p with dot(p, normal) = offset; normal has length 1.
-struct PlaneRecord {
-    vec3 normal;
-    float offset;
-};
 
 // An affine map by its rows: (x, y, z) -> row_i . (x, y, z) + shift_i.
 struct AffineRecord {
@@ -41,6 +36,14 @@ struct AffineRecord {
     vec3 row_y;
     vec3 row_z;
     vec3 shift;
+};
+
+// Points p with dot(p, normal) = offset; normals have length 1. Textures live in the author's space.
+struct PlaneRecord {
+    vec3 normal;
+    float offset;
+    vec3 author_normal;
+    AffineRecord to_author;
 };
 
 // A canonical shape in its own space. The author wrote it in yet another one, where solid textures live.
@@ -224,7 +227,7 @@ RECORDS_END
 #ifdef __cplusplus
 namespace lancer::kernel {
 static_assert(sizeof(vec3) == 12 && sizeof(vec2) == 8, "records have scalar layout");
-static_assert(sizeof(SphereRecord) == 16 && sizeof(BoxRecord) == 24 && sizeof(PlaneRecord) == 16 && sizeof(AffineRecord) == 48 &&
+static_assert(sizeof(SphereRecord) == 16 && sizeof(BoxRecord) == 24 && sizeof(PlaneRecord) == 76 && sizeof(AffineRecord) == 48 &&
               sizeof(PlacedRecord) == 156 && sizeof(TriangleRecord) == 36 && sizeof(InstanceRecord) == 104 && sizeof(ObjectRecord) == 24 &&
               sizeof(TextureRecord) == 68 && sizeof(WhittedRecord) == 84 && sizeof(LightRecord) == 48 && sizeof(CameraRecord) == 48);
 }  // namespace lancer::kernel

@@ -45,6 +45,7 @@ FN SurfacePoint sphere_surface(IN(SphereRecord) sphere, IN(Ray) ray, Float t) {
     s.error = (abs(center) + vec3_all(Float(sphere.radius))) * Float(8.0f * ROUNDING);
     s.shading = s.normal;
     s.local = s.position;
+    s.local_in = -s.normal;
     s.uv = vec2_of(Float(0.0f), Float(0.0f));
     return s;
 }

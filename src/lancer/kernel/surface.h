@@ -28,6 +28,7 @@ FN SurfacePoint no_surface() {
     s.normal = s.position;
     s.shading = s.position;
     s.local = s.position;
+    s.local_in = s.position;
     s.uv = vec2_of(Float(0.0f), Float(0.0f));
     return s;
 }
@@ -63,6 +64,7 @@ FN SurfacePoint mesh_surface(IN(WorldRecord) world, int instance_index, Int part
     s.normal = instance.flips != 0 ? -s.normal : s.normal;
     s.shading = s.normal;
     s.local = local_a * w + local_b * u + local_c * v;
+    s.local_in = -normalize(cross(local_b - local_a, local_c - local_a));
     if ((mesh.flags & MESH_HAS_NORMALS) != 0) {
         Vec3 n = gather_vec3(world.normals, i, mask) * w + gather_vec3(world.normals, j, mask) * u + gather_vec3(world.normals, k, mask) * v;
         n = apply_transposed(instance.to_object, n);
@@ -92,6 +94,7 @@ FN SurfacePoint loose_triangle_surface(IN(WorldRecord) world, IN(ObjectRecord) o
         s.normal = instance.flips != 0 ? -s.normal : s.normal;
         s.shading = s.normal;
         s.local = apply_affine(instance.to_object, s.position);
+        s.local_in = -normalize(apply_transposed(instance.to_world, s.normal));
     }
     return s;
 }
@@ -129,7 +132,7 @@ FN void find_surface(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Mask here,
             if (object.kind == OBJECT_SPHERE) {
                 s.uv = sphere_uv(s.normal);
             }
-            color = texture_color(world, texture, s.local, s.uv, mine);
+            color = texture_color(world, texture, s.local, s.local_in, s.uv, mine);
         }
         point.position = select(mine, s.position, point.position);
         point.error = select(mine, s.error, point.error);

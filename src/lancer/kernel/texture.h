@@ -59,14 +59,14 @@ FN Vec3 image_color(IN(WorldRecord) world, IN(TextureRecord) texture, Vec2 uv, M
     return color;
 }
 
-// `local` is the point in the object's own space, in metres as the author wrote them.
-FN Vec3 texture_color(IN(WorldRecord) world, IN(TextureRecord) texture, Vec3 local, Vec2 uv, Mask mask) {
+// `local` is the point in the object's own space, in metres as the author wrote them, `local_in` the direction into the body there.
+FN Vec3 texture_color(IN(WorldRecord) world, IN(TextureRecord) texture, Vec3 local, Vec3 local_in, Vec2 uv, Mask mask) {
     Vec3 color = broadcast(texture.first);
     Float cell = Float(1.0f / texture.size);
     if (texture.kind == TEXTURE_CHECKER_SOLID) {
-        // A hair off the surface's own plane, so that a face that lies on a cell boundary does not flicker between two cells.
-        Float nudge = Float(1.0f / 1024.0f);
-        color = checker(texture, floor(local.x * cell + nudge) + floor(local.y * cell + nudge) + floor(local.z * cell + nudge));
+        // A hair under the surface, so that a face that lies on a border of cells shows those inside the body and does not flicker.
+        Vec3 p = local * cell + local_in * Float(1.0f / 1024.0f);
+        color = checker(texture, floor(p.x) + floor(p.y) + floor(p.z));
     } else if (texture.kind == TEXTURE_CHECKER_UV) {
         color = checker(texture, floor(uv.x * cell) + floor(uv.y * cell));
     } else if (texture.kind == TEXTURE_IMAGE) {

@@ -27,12 +27,18 @@ FN Vec2 seen_along(Vec3 corner, Vec3 d) {
 // side of the edge, as seen, the ray passes [Woop et al. 2013].
 FN Float edge_area(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
+// To the triangle's plane; FAR where it is behind or parallel.
+FN Float triangle_plane_distance(Vec3 a, Vec3 b, Vec3 c, IN(Ray) ray) {
+    Vec3 n = cross(b - a, c - a);
+    Float t = dot(n, a - ray.origin) / dot(n, ray.direction);
+    return select(both(t > Float(0.0f), t < Float(FAR)), t, Float(FAR));
+}
+
 // Each corner is seen at the same place by all triangles that share it, and each edge answers them alike: no ray slips between triangles that
 // share an edge or a corner.
 FN TriangleHit triangle_hit(Vec3 a, Vec3 b, Vec3 c, IN(Ray) ray) {
     Vec3 d = ray.direction;
-    Vec3 va = a - ray.origin;
-    Vec2 sa = seen_along(va, d);
+    Vec2 sa = seen_along(a - ray.origin, d);
     Vec2 sb = seen_along(b - ray.origin, d);
     Vec2 sc = seen_along(c - ray.origin, d);
     Float wa = edge_area(sb, sc);
@@ -42,11 +48,8 @@ FN TriangleHit triangle_hit(Vec3 a, Vec3 b, Vec3 c, IN(Ray) ray) {
     Float least = min(min(wa, wb), wc);
     Float most = max(max(wa, wb), wc);
     Mask inside = both(either(least >= Float(0.0f), most <= Float(0.0f)), abs(sum) > Float(0.0f));
-    Vec3 n = cross(b - a, c - a);
-    Float t = dot(n, va) / dot(n, d);
-    inside = both(inside, both(t > Float(0.0f), t < Float(FAR)));
     TriangleHit hit;
-    hit.t = select(inside, t, Float(FAR));
+    hit.t = select(inside, triangle_plane_distance(a, b, c, ray), Float(FAR));
     hit.u = wb / sum;
     hit.v = wc / sum;
     return hit;
@@ -60,6 +63,7 @@ FN SurfacePoint triangle_surface(Vec3 a, Vec3 b, Vec3 c, Float u, Float v) {
     s.normal = normalize(cross(b - a, c - a));
     s.shading = s.normal;
     s.local = s.position;
+    s.local_in = -s.normal;
     s.uv = vec2_of(u, v);
     return s;
 }

@@ -143,7 +143,9 @@ private:
         const glm::dmat3 normal_map = glm::transpose(glm::inverse(glm::dmat3(flat.to_world)));
         const glm::dvec3 normal = glm::normalize(normal_map * plane.normal);
         const glm::dvec3 point(flat.to_world * glm::dvec4(plane.point, 1.0));
-        add_record(world_.planes, kernel::OBJECT_PLANE, {kernel::vec3(normal), static_cast<float>(glm::dot(normal, point))}, flat.material);
+        const kernel::PlaneRecord record{kernel::vec3(normal), static_cast<float>(glm::dot(normal, point)),
+                                         kernel::vec3(glm::normalize(plane.normal)), to_record(glm::inverse(flat.to_world))};
+        add_record(world_.planes, kernel::OBJECT_PLANE, record, flat.material);
     }
 
     void add_shape(const scene::Disk& disk, const FlatObject& flat) {
