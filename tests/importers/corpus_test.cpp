@@ -37,7 +37,8 @@ TEST(Corpus, ValidMeshesOpen) {
         GTEST_SKIP() << "no collection of files: set LANCER_REFERENCE";
     }
     // Valid for their format, but with nothing that could be seen or with a mistake that their makers test for.
-    const std::vector<std::string> no_faces = {"points.ply", "testpoints.obj", "issue623.ply", "invalid-face-definition.obj", "invalid-relative-vertex-index.obj"};
+    const std::vector<std::string> no_faces = {"points.ply", "testpoints.obj", "issue623.ply", "invalid-face-definition.obj",
+                                               "invalid-relative-vertex-index.obj"};
     for (const char* part : {"meshes", "obj-ply"}) {
         for (const fs::path& path : meshes_below(*folder / part)) {
             const Reading reading = read_path(path.string());

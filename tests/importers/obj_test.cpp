@@ -79,7 +79,8 @@ TEST(Obj, CountsBackwardsAndForwards) {
 
 TEST(Obj, ReadsEveryFormOfCorner) {
     const std::string lists = square + "vt 0 0\nvn 0 0 1\n";
-    for (const char* face : {"f 1 2 3", "f 1/1 2/1 3/1", "f 1//1 2//1 3//1", "f 1/1/1 2/1/1 3/1/1", "f 1/ 2/ 3/", "f 1// 2// 3//", "f 1/1/ 2/1/ 3/1/"}) {
+    for (const char* face :
+         {"f 1 2 3", "f 1/1 2/1 3/1", "f 1//1 2//1 3//1", "f 1/1/1 2/1/1 3/1/1", "f 1/ 2/ 3/", "f 1// 2// 3//", "f 1/1/ 2/1/ 3/1/"}) {
         const MeshReading r = read(lists + face);
         ASSERT_TRUE(r.mesh) << face << "\n" << r.messages;
         EXPECT_EQ(r.mesh->triangles.size(), 1u) << face;
@@ -123,14 +124,14 @@ TEST(Obj, CutsConcavePolygons) {
 
 TEST(Obj, TakesUnusualText) {
     for (const std::string& text : {
-             std::string("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n"),            // Windows
-             std::string("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3"),                      // old Macintosh, no end of line at the end
-             std::string("\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"),          // byte order mark
-             std::string("v\t0  0 0 \n  v +1 .0 0.e0\nv 0 1e0 -0\nf 1 2 3 # end\n"),  // blanks and forms of numbers
-             std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 \\\n 2 \\\r\n3\n"),         // joined lines
-             std::string("# C:\\folder\\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),    // a comment is not joined
+             std::string("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n"),              // Windows
+             std::string("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3"),                        // old Macintosh, no end of line at the end
+             std::string("\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"),            // byte order mark
+             std::string("v\t0  0 0 \n  v +1 .0 0.e0\nv 0 1e0 -0\nf 1 2 3 # end\n"),   // blanks and forms of numbers
+             std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 \\\n 2 \\\r\n3\n"),           // joined lines
+             std::string("# C:\\folder\\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),      // a comment is not joined
              std::string("v 0 0 0 1\nv 1 0 0 1 0 0\nv 0 1 0 0.5 0.5 0.5\nf 1 2 3\n"),  // weights and colours
-             std::string("v 1e-400 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),               // too small for a number
+             std::string("v 1e-400 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),                 // too small for a number
              std::string("mtllib a b.mtl\no x\ng y z\ns off\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
          }) {
         const MeshReading r = read(text);
@@ -177,12 +178,14 @@ TEST(Obj, ExplainsMistakes) {
         {square + "f 0 1 2\n", "m.obj:5:3: error: there is no vertex 0: they are counted from 1\n"},
         {square + "f 1 2 -5\n", "m.obj:5:7: error: there is no vertex -5: 4 came before\n"},
         {square + "f 1 2 99999999999\n", "m.obj:5:7: error: there is no vertex 99999999999: 4 came before\n"},
-        {square + "f 1/1 2/1 3/1\n", "m.obj:5:5: error: there is no texture coordinate 1: the file has 0\n"
-                                     "m.obj:5:9: error: there is no texture coordinate 1: the file has 0\n"
-                                     "m.obj:5:13: error: there is no texture coordinate 1: the file has 0\n"},
+        {square + "f 1/1 2/1 3/1\n",
+         "m.obj:5:5: error: there is no texture coordinate 1: the file has 0\n"
+         "m.obj:5:9: error: there is no texture coordinate 1: the file has 0\n"
+         "m.obj:5:13: error: there is no texture coordinate 1: the file has 0\n"},
         {square + "f 1 2 3//1\n", "m.obj:5:10: error: there is no normal 1: the file has 0\n"},
         {square + "f 1 2 x\n", "m.obj:5:7: error: the number of a vertex is missing here, found \"x\"\n"},
-        {square + "f 1 2 3x\n", "m.obj:5:7: error: a corner is written as vertex, vertex/uv, vertex//normal or vertex/uv/normal, not \"3x\"\n"},
+        {square + "f 1 2 3x\n",
+         "m.obj:5:7: error: a corner is written as vertex, vertex/uv, vertex//normal or vertex/uv/normal, not \"3x\"\n"},
         {square + "f 1 2 3/1/1/1\nvt 0 0\nvn 0 0 1\n",
          "m.obj:5:7: error: a corner is written as vertex, vertex/uv, vertex//normal or vertex/uv/normal, not \"3/1/1/1\"\n"},
         {"v 1e20 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3\n",

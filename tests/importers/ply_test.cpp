@@ -129,9 +129,11 @@ TEST(Ply, TakesAnyOrderAndSkipsTheRest) {
         Writer w(form);
         w.header(
             "comment made for a test\nobj_info nothing\nelement camera 2\nproperty list ushort double numbers\nproperty char id\n"
-            "element face 1\nproperty uchar red\nproperty list int float other\nproperty list ushort ushort vertex_index\nproperty double weight\n"
+            "element face 1\nproperty uchar red\nproperty list int float other\nproperty list ushort ushort vertex_index\nproperty double "
+            "weight\n"
             "element empty 1000000000000\n"
-            "element vertex 4\nproperty uchar red\nproperty double z\nproperty float v\nproperty float ny\nproperty short x\nproperty float u\nproperty "
+            "element vertex 4\nproperty uchar red\nproperty double z\nproperty float v\nproperty float ny\nproperty short x\nproperty "
+            "float u\nproperty "
             "float nx\nproperty float y\nproperty float nz\n"
             "element tail 1\nproperty int last\n");
         for (int i = 0; i < 2; ++i) {
@@ -174,9 +176,11 @@ TEST(Ply, TakesAnyOrderAndSkipsTheRest) {
 
 TEST(Ply, KnowsTheNamesOfTextureCoordinates) {
     for (const auto& [u, v] : {std::pair("s", "t"), {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}) {
-        const MeshReading r = read(std::string("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float ") + u +
-                                   "\nproperty float " + v + "\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-                                   "0 0 0 .25 .5\n1 0 0 0 0\n0 1 0 0 0\n3 0 1 2\n");
+        const MeshReading r = read(
+            std::string("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float ") +
+            u + "\nproperty float " + v +
+            "\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+            "0 0 0 .25 .5\n1 0 0 0 0\n0 1 0 0 0\n3 0 1 2\n");
         ASSERT_TRUE(r.mesh) << r.messages;
         EXPECT_EQ(r.mesh->uvs.at(0), glm::vec2(0.25, 0.5)) << u;
     }
@@ -185,10 +189,13 @@ TEST(Ply, KnowsTheNamesOfTextureCoordinates) {
 const std::string vertex_properties = "property float x\nproperty float y\nproperty float z\n";
 const std::string face_properties = "property list uchar int vertex_indices\n";
 
-std::string ascii(const std::string& elements, const std::string& data) { return "ply\nformat ascii 1.0\n" + elements + "end_header\n" + data; }
+std::string ascii(const std::string& elements, const std::string& data) {
+    return "ply\nformat ascii 1.0\n" + elements + "end_header\n" + data;
+}
 
 TEST(Ply, CutsLargeFacesAndStrips) {
-    const MeshReading concave = read(ascii("element vertex 4\n" + vertex_properties + "element face 1\n" + face_properties, "0 0 0\n2 1 0\n0 2 0\n1 1 0\n4 1 2 3 0\n"));
+    const MeshReading concave = read(
+        ascii("element vertex 4\n" + vertex_properties + "element face 1\n" + face_properties, "0 0 0\n2 1 0\n0 2 0\n1 1 0\n4 1 2 3 0\n"));
     ASSERT_TRUE(concave.mesh) << concave.messages;
     EXPECT_EQ(concave.mesh->triangles, (std::vector<glm::uvec3>{{1, 2, 3}, {1, 3, 0}}));
     for (Form form : forms) {
@@ -217,9 +224,10 @@ TEST(Ply, TakesUnusualText) {
         windows += c == '\n' ? "\r\n" : std::string(1, c);
         macintosh += c == '\n' ? '\r' : c;
     }
-    for (const std::string& text : {plain, windows, macintosh, ascii(elements, "0 0\n0 1 0 0\n\n 0 1 0 3 0\n1 2"),
-                                    ascii("element vertex 3\nproperty  float32\tx \nproperty float y\nproperty float z\nelement face 1\n" + face_properties,
-                                          "+0 -0. 0e0\n1 0 0\n0 1 0\n3 0 1 2\nmore\n")}) {
+    for (const std::string& text :
+         {plain, windows, macintosh, ascii(elements, "0 0\n0 1 0 0\n\n 0 1 0 3 0\n1 2"),
+          ascii("element vertex 3\nproperty  float32\tx \nproperty float y\nproperty float z\nelement face 1\n" + face_properties,
+                "+0 -0. 0e0\n1 0 0\n0 1 0\n3 0 1 2\nmore\n")}) {
         const MeshReading r = read(text);
         ASSERT_TRUE(r.mesh) << text << r.messages;
         EXPECT_EQ(r.mesh->triangles.size(), 1u);
@@ -230,8 +238,9 @@ TEST(Ply, TakesUnusualText) {
 TEST(Ply, DataMayBeginWithTheByteOfALineEnd) {
     for (const std::string& line_end : {std::string("\n"), std::string("\r\n"), std::string("\r")}) {
         for (char first : {'\n', '\r'}) {
-            std::string bytes = "ply|format binary_little_endian 1.0|element vertex 3|property uchar x|property uchar y|property uchar z|element face 1|"
-                                "property list uchar uchar vertex_indices|end_header|";
+            std::string bytes =
+                "ply|format binary_little_endian 1.0|element vertex 3|property uchar x|property uchar y|property uchar z|element face 1|"
+                "property list uchar uchar vertex_indices|end_header|";
             for (std::size_t at = 0; (at = bytes.find('|', at)) != std::string::npos; at += line_end.size()) {
                 bytes.replace(at, 1, line_end);
             }
@@ -248,7 +257,8 @@ TEST(Ply, ReadsAByteOrderForEveryBlockOfVertices) {
     constexpr int count = 5000;  // more than fit into one block of the reader
     for (const std::string& extra : {std::string(), std::string("property float w\n")}) {
         Writer w(Form::little);
-        w.header("element vertex " + std::to_string(count) + "\n" + vertex_properties + extra + "element face " + std::to_string(count - 2) + "\n" + face_properties);
+        w.header("element vertex " + std::to_string(count) + "\n" + vertex_properties + extra + "element face " +
+                 std::to_string(count - 2) + "\n" + face_properties);
         for (int i = 0; i < count; ++i) {
             w.value("float", i);
             w.value("float", i % 7);
@@ -271,7 +281,9 @@ TEST(Ply, ReadsAByteOrderForEveryBlockOfVertices) {
     }
 }
 
-std::string binary(const std::string& elements, const std::string& data) { return "ply\nformat binary_little_endian 1.0\n" + elements + "end_header\n" + data; }
+std::string binary(const std::string& elements, const std::string& data) {
+    return "ply\nformat binary_little_endian 1.0\n" + elements + "end_header\n" + data;
+}
 
 TEST(Ply, ExplainsMistakes) {
     const std::string three = "element vertex 3\n" + vertex_properties;
@@ -293,7 +305,8 @@ TEST(Ply, ExplainsMistakes) {
         {"ply\nend_header\n", ":2:1: error: the header has no format\n"},
         {"ply\nformat ascii 1.0\nend_header\n", ":3:1: error: the header has no element \"vertex\"\n"},
         {"ply\nformat text 1.0\nend_header\n",
-         ":2:8: error: the format must be ascii, binary_little_endian or binary_big_endian, not \"text\"\n:3:1: error: the header has no format\n"},
+         ":2:8: error: the format must be ascii, binary_little_endian or binary_big_endian, not \"text\"\n:3:1: error: the header has no "
+         "format\n"},
         {"ply\nformat ascii 2.0\nend_header\n", ":2:14: error: the version must be 1.0, not \"2.0\"\n"},
         {"ply\nformat ascii 1.0\nelemnt vertex 3\nend_header\n",
          ":3:1: error: expected format, element, property, comment or end_header, not \"elemnt\"\n"},
@@ -318,12 +331,14 @@ TEST(Ply, ExplainsMistakes) {
         {ascii(three + one_face, "0 0 0\n1 0 0\n0 1 \n\n"), ":14:1: error: the file ends after 2 of 3 \"vertex\" elements\n"},
         {ascii(three + one_face, corners + "-3 0 1 2"), ":13:3: error: a list can't have -3 entries: 6 bytes are left\n"},
         {ascii(three + one_face, corners + "1000000000 0 1 2"), ":13:11: error: a list can't have 1000000000 entries: 6 bytes are left\n"},
-        {ascii("element vertex 4000000000\n" + vertex_properties, corners), ":3:1: error: 4000000000 \"vertex\" elements do not fit into the 18 bytes that follow\n"},
+        {ascii("element vertex 4000000000\n" + vertex_properties, corners),
+         ":3:1: error: 4000000000 \"vertex\" elements do not fit into the 18 bytes that follow\n"},
         {ascii(three + one_face, "0 0 1e20\n1 0 0\n0 1 0\n3 0 1 2\n"),
          ": error: vertex 0 at (0, 0, 1e+20) is out of reach: coordinates must be finite and at most 1e+15 m\n"},
         {binary("element vertex 4000000000\n" + vertex_properties, in_bytes),
          ":3:1: error: 4000000000 \"vertex\" elements need at least 12 bytes each, but only 36 bytes are left\n"},
-        {binary("element vertex 18446744073709551615\n" + vertex_properties, in_bytes), ":3:1: error: too many vertices: 18446744073709551615\n"},
+        {binary("element vertex 18446744073709551615\n" + vertex_properties, in_bytes),
+         ":3:1: error: too many vertices: 18446744073709551615\n"},
         {binary("element vertex 18446744073709551616\n" + vertex_properties, in_bytes),
          ":3:16: error: expected how many \"vertex\" there are, not \"18446744073709551616\"\n"},
         {binary(three + "element face 1000000\n" + face_properties, in_bytes + "\3"),
@@ -353,7 +368,8 @@ TEST(Ply, ExplainsMistakes) {
 }
 
 TEST(Ply, LeavesOutSmallFaces) {
-    const MeshReading r = read(ascii("element vertex 3\n" + vertex_properties + "element face 3\n" + face_properties, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n0\n"));
+    const MeshReading r = read(
+        ascii("element vertex 3\n" + vertex_properties + "element face 3\n" + face_properties, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n0\n"));
     ASSERT_TRUE(r.mesh);
     EXPECT_EQ(r.mesh->triangles.size(), 1u);
     EXPECT_EQ(r.messages, "m.ply: warning: 2 faces with less than three corners are left out\n");

@@ -125,7 +125,8 @@ TEST(Schema, ListsEveryKeyWithHelp) {
         const Json& properties = all.at(definition).at("properties");
         for (const Key& key : table.keys) {
             ASSERT_TRUE(properties.contains(key.name)) << definition << "." << key.name;
-            EXPECT_GT(properties.at(std::string(key.name)).at("description").get<std::string>().size(), 4u) << definition << "." << key.name;
+            EXPECT_GT(properties.at(std::string(key.name)).at("description").get<std::string>().size(), 4u)
+                << definition << "." << key.name;
         }
     };
     for (const Table* table : shapes()) {
@@ -134,7 +135,8 @@ TEST(Schema, ListsEveryKeyWithHelp) {
     for (const Table* table : lights()) {
         check(*table, std::string(table->name) + "_light");
     }
-    for (const Table* table : {&camera(), &whitted_material(), &checker(), &image(), &place(), &group(), &background(), &ambient(), &render()}) {
+    for (const Table* table :
+         {&camera(), &whitted_material(), &checker(), &image(), &place(), &group(), &background(), &ambient(), &render()}) {
         check(*table, std::string(table->name));
     }
     check(abbe_glass(), "abbe_glass");
@@ -250,15 +252,39 @@ TEST(Schema, TakesEverySceneOfTheProject) {
 }
 
 TEST(Schema, RefusesWhatTheReaderRefuses) {
-    for (const char* text : {
-             "[[spere]]\n", "[[sphere]]\nradus = 1\n", "[[sphere]]\nradius = 0\n", "[[sphere]]\nradius = 'x'\n", "[[sphere]]\ncenter = [0, 0]\n",
-             "[sphere]\n", "[camera]\nfov = 180\n", "[camera.a]\nfoov = 1\n", "[camera]\nfov_axis = 'x'\n", "[[light]]\ntype = 'pont'\n",
-             "[[light]]\ntype = 'point'\n", "[[light]]\ntype = 'point'\nposition = [0, 0, 0]\nangle = 3\n", "[material.m]\ntype = 'phong'\n",
-             "[material.m]\ncolor = '#12345'\n", "[material.m]\ncolor = 'redd'\n", "[material.m]\ndiffuse = 2\n", "[material.m]\nrefraction = true\n",
-             "[material.m]\nrefraction = { index = 1.5 }\n", "[material.m]\ncolor = { type = 'image' }\n", "[render]\nsize = [0, 1]\n",
-             "[render]\nsize = [1.5, 1]\n", "[render]\nbounces = -1\n", "[render]\naa = 4\n", "[[group]]\n", "[[group]]\nname = 'a'\n[[group.spher]]\n",
-             "[[place]]\n", "[[place]]\ngroup = ''\n", "background = 3\n", "ambient = [0, 0, -1]\n", "[[mesh]]\ntriangles = [[0, 1, 0.5]]\n",
-             "[[sphere]]\nrotate = 90\n", "[[sphere]]\nrotate = { axis = [0, 1, 0] }\n", "[[sphere]]\nscale = 'x'\n"}) {
+    for (const char* text : {"[[spere]]\n",
+                             "[[sphere]]\nradus = 1\n",
+                             "[[sphere]]\nradius = 0\n",
+                             "[[sphere]]\nradius = 'x'\n",
+                             "[[sphere]]\ncenter = [0, 0]\n",
+                             "[sphere]\n",
+                             "[camera]\nfov = 180\n",
+                             "[camera.a]\nfoov = 1\n",
+                             "[camera]\nfov_axis = 'x'\n",
+                             "[[light]]\ntype = 'pont'\n",
+                             "[[light]]\ntype = 'point'\n",
+                             "[[light]]\ntype = 'point'\nposition = [0, 0, 0]\nangle = 3\n",
+                             "[material.m]\ntype = 'phong'\n",
+                             "[material.m]\ncolor = '#12345'\n",
+                             "[material.m]\ncolor = 'redd'\n",
+                             "[material.m]\ndiffuse = 2\n",
+                             "[material.m]\nrefraction = true\n",
+                             "[material.m]\nrefraction = { index = 1.5 }\n",
+                             "[material.m]\ncolor = { type = 'image' }\n",
+                             "[render]\nsize = [0, 1]\n",
+                             "[render]\nsize = [1.5, 1]\n",
+                             "[render]\nbounces = -1\n",
+                             "[render]\naa = 4\n",
+                             "[[group]]\n",
+                             "[[group]]\nname = 'a'\n[[group.spher]]\n",
+                             "[[place]]\n",
+                             "[[place]]\ngroup = ''\n",
+                             "background = 3\n",
+                             "ambient = [0, 0, -1]\n",
+                             "[[mesh]]\ntriangles = [[0, 1, 0.5]]\n",
+                             "[[sphere]]\nrotate = 90\n",
+                             "[[sphere]]\nrotate = { axis = [0, 1, 0] }\n",
+                             "[[sphere]]\nscale = 'x'\n"}) {
         EXPECT_FALSE(schema_takes(text)) << text;
         EXPECT_FALSE(read_text(text).scene) << text;
     }

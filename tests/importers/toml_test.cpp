@@ -121,6 +121,7 @@ TEST(Toml, LeavesWhatIsNotWrittenAtTheDefaultsOfTheStructs) {
     EXPECT_EQ(s.settings.adaptive_threshold, defaults.adaptive_threshold);
     EXPECT_EQ(s.settings.adaptive_depth, defaults.adaptive_depth);
     EXPECT_EQ(s.settings.wavelengths, defaults.wavelengths);
+    EXPECT_EQ(s.settings.min_weight, defaults.min_weight);
     EXPECT_EQ(s.settings.exposure, defaults.exposure);
     EXPECT_EQ(s.ambient, scene::Scene{}.ambient);
     EXPECT_EQ(s.background.zenith, scene::Background{}.zenith);
@@ -338,12 +339,14 @@ intensity = 0.2
 
 TEST(Toml, ScalesSharesThatDoNotSumToOne) {
     const Reading reading = read_text(
-        "[camera]\n[[sphere]]\n[[light]]\ntype='point'\nposition=[1,2,3]\nintensity=0.6\n[[light]]\ntype='point'\nposition=[1,2,3]\nintensity=1.8\n");
+        "[camera]\n[[sphere]]\n[[light]]\ntype='point'\nposition=[1,2,3]\nintensity=0.6\n[[light]]\ntype='point'\nposition=[1,2,3]"
+        "\nintensity=1.8\n");
     ASSERT_TRUE(reading.scene) << reading.all();
     EXPECT_DOUBLE_EQ(reading.scene->lights.at(0).intensity, 0.25);
     EXPECT_DOUBLE_EQ(reading.scene->lights.at(1).intensity, 0.75);
-    EXPECT_EQ(reading.messages, std::vector<std::string>{
-                                    "scene.toml:3:1: note: the intensities of the lights are shares that should sum to 1, not 2.4; they are scaled"});
+    EXPECT_EQ(reading.messages,
+              std::vector<std::string>{
+                  "scene.toml:3:1: note: the intensities of the lights are shares that should sum to 1, not 2.4; they are scaled"});
 }
 
 TEST(Toml, LightsWithoutIntensityShareWhatIsLeft) {
@@ -485,7 +488,8 @@ TEST(Toml, HashCoversTheTextAndEveryFile) {
 }
 
 TEST(Toml, TakesWindowsLineEndsAndAByteOrderMark) {
-    const Reading reading = read_text("\xef\xbb\xbf[camera]\r\n[[sphere]]\r\nradius = 2\r\n[[light]]\r\ntype = 'point'\r\nposition = [0, 1, 0]\r\n");
+    const Reading reading =
+        read_text("\xef\xbb\xbf[camera]\r\n[[sphere]]\r\nradius = 2\r\n[[light]]\r\ntype = 'point'\r\nposition = [0, 1, 0]\r\n");
     ASSERT_TRUE(reading.scene) << reading.all();
     EXPECT_EQ(shape<scene::Sphere>(*reading.scene).radius, 2.0);
 }

@@ -10,7 +10,7 @@ namespace lancer {
 namespace {
 
 // The tree of values takes many times the text's size; large meshes belong into files of their own.
-constexpr std::size_t largest_text = std::size_t{64} << 20;
+constexpr std::size_t largest_text = std::size_t{32} << 20;
 
 std::optional<scene::Scene> import_mesh(const std::string& path, Diagnostics& diagnostics) {
     SceneFiles files(diagnostics);

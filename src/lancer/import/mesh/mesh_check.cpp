@@ -25,8 +25,9 @@ bool check_positions(const scene::TriangleMesh& mesh, MeshMessages& messages, in
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const glm::vec3& p = mesh.positions[i];
         if (!within_reach(p)) {
-            messages.error(line, column, fmt::format("vertex {} at ({}, {}, {}) is out of reach: coordinates must be finite and at most {:g} m", i, p.x,
-                                                     p.y, p.z, farthest));
+            messages.error(line, column,
+                           fmt::format("vertex {} at ({}, {}, {}) is out of reach: coordinates must be finite and at most {:g} m", i, p.x,
+                                       p.y, p.z, farthest));
             return false;
         }
     }
@@ -45,8 +46,9 @@ bool check_corners(const scene::TriangleMesh& mesh, MeshMessages& messages, int 
         const glm::uvec3& t = mesh.triangles[i];
         const std::uint32_t most = std::max({t.x, t.y, t.z});
         if (most >= mesh.positions.size()) {
-            messages.error(line, column, fmt::format("triangle {} names vertex {}, but there are {} vertices, counted from 0", i,
-                                                     static_cast<std::int32_t>(most), mesh.positions.size()));
+            messages.error(line, column,
+                           fmt::format("triangle {} names vertex {}, but there are {} vertices, counted from 0", i,
+                                       static_cast<std::int32_t>(most), mesh.positions.size()));
             break;
         }
     }
@@ -58,7 +60,8 @@ void leave_out_needles(scene::TriangleMesh& mesh, MeshMessages& messages, int li
         return t.x == t.y || t.y == t.z || t.z == t.x || face_normal(mesh, t) == glm::dvec3(0.0);
     });
     if (removed > 0) {
-        messages.warning(line, column, fmt::format("{} of {} triangles have no area and are left out", removed, removed + mesh.triangles.size()));
+        messages.warning(line, column,
+                         fmt::format("{} of {} triangles have no area and are left out", removed, removed + mesh.triangles.size()));
     }
 }
 
@@ -92,8 +95,9 @@ void repair_normals(scene::TriangleMesh& mesh, MeshMessages& messages, int line,
         const double length = glm::length(around[i]);
         mesh.normals[i] = length > 0.0 ? glm::vec3(around[i] / length) : glm::vec3(0.0f, 1.0f, 0.0f);
     }
-    messages.warning(line, column, fmt::format("{} of {} normals have no direction; the mean of the faces around is used", without.size(),
-                                               mesh.normals.size()));
+    messages.warning(
+        line, column,
+        fmt::format("{} of {} normals have no direction; the mean of the faces around is used", without.size(), mesh.normals.size()));
 }
 
 void repair_uvs(scene::TriangleMesh& mesh, MeshMessages& messages, int line, int column) {

@@ -13,7 +13,8 @@ namespace lancer::obj {
 namespace {
 
 // Statements that say nothing about the shape of the faces, or that we leave out knowingly (SUPPORT.md).
-constexpr std::array passed_over = {"o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "vp", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj"};
+constexpr std::array passed_over = {"o",  "g",     "s",        "mg",       "usemtl", "mtllib",     "usemap",   "maplib",
+                                    "vp", "bevel", "c_interp", "d_interp", "lod",    "shadow_obj", "trace_obj"};
 constexpr std::array not_faces = {"l", "p"};
 
 template <std::size_t count>
@@ -77,12 +78,14 @@ private:
         for (int i = 0; i < most; ++i) {
             if (!cursor_.find_word()) {
                 if (i < least) {
-                    messages_.error(cursor_.line(), cursor_.column(), fmt::format("{} needs {} numbers, but the line ends after {}", what, least, i));
+                    messages_.error(cursor_.line(), cursor_.column(),
+                                    fmt::format("{} needs {} numbers, but the line ends after {}", what, least, i));
                 }
                 return;
             }
             if (!cursor_.read_number(values[i])) {
-                messages_.error(cursor_.line(), cursor_.column(), fmt::format("{} needs finite numbers, not {}", what, quoted(cursor_.word())));
+                messages_.error(cursor_.line(), cursor_.column(),
+                                fmt::format("{} needs finite numbers, not {}", what, quoted(cursor_.word())));
                 return;
             }
         }
@@ -122,7 +125,9 @@ private:
         }
         if (good && !cursor_.at_word_end()) {
             good = false;
-            messages_.error(line, column, fmt::format("a corner is written as vertex, vertex/uv, vertex//normal or vertex/uv/normal, not {}", quoted(word)));
+            messages_.error(
+                line, column,
+                fmt::format("a corner is written as vertex, vertex/uv, vertex//normal or vertex/uv/normal, not {}", quoted(word)));
         }
         return good;
     }
@@ -155,7 +160,9 @@ private:
     void check_late_corners() {
         for (const LateCorner& late : late_) {
             const std::string_view of = late.of;
-            const std::size_t count = of == "vertex" ? result_.positions.size() : of == "normal" ? result_.normals.size() : result_.uvs.size();
+            const std::size_t count = of == "vertex"   ? result_.positions.size()
+                                      : of == "normal" ? result_.normals.size()
+                                                       : result_.uvs.size();
             if (late.number > static_cast<std::int64_t>(count)) {
                 messages_.error(late.line, late.column, fmt::format("there is no {} {}: the file has {}", of, late.number, count));
             }

@@ -29,7 +29,8 @@ void check_header(const Header& header, MeshMessages& messages) {
                 messages.error(element.line, 1, fmt::format("too many vertices: {}", element.count));
             }
         } else if ((meaning == Meaning::faces || meaning == Meaning::strips) && element.count > 0 && corner_list(element) < 0) {
-            messages.error(element.line, 1, fmt::format("{} needs a list of whole numbers named vertex_indices or vertex_index", quoted(element.name)));
+            messages.error(element.line, 1,
+                           fmt::format("{} needs a list of whole numbers named vertex_indices or vertex_index", quoted(element.name)));
         }
     }
     if (!vertices) {
@@ -47,14 +48,16 @@ void cut_faces(Data& data, MeshMessages& messages) {
         cut.clear();
         for (std::size_t i = begin; i < end; ++i) {
             if (data.corners[i] >= data.mesh.positions.size()) {
-                return messages.error(0, 0, fmt::format("a face names vertex {}, but there are {} vertices, counted from 0",
-                                                        static_cast<std::int32_t>(data.corners[i]), data.mesh.positions.size()));
+                return messages.error(0, 0,
+                                      fmt::format("a face names vertex {}, but there are {} vertices, counted from 0",
+                                                  static_cast<std::int32_t>(data.corners[i]), data.mesh.positions.size()));
             }
             points.push_back(data.mesh.positions[data.corners[i]]);
         }
         cut_polygon(points, cut);
         for (const auto& triangle : cut) {
-            data.mesh.triangles.push_back({data.corners[begin + triangle[0]], data.corners[begin + triangle[1]], data.corners[begin + triangle[2]]});
+            data.mesh.triangles.push_back(
+                {data.corners[begin + triangle[0]], data.corners[begin + triangle[1]], data.corners[begin + triangle[2]]});
         }
         begin = end;
     }

@@ -38,8 +38,9 @@ private:
         }
         // Every number takes a digit, and a blank but for the last one.
         if (element.count > (cursor_.bytes_left() + 1) / (2 * element.properties.size())) {
-            messages_.error(element.line, 1, fmt::format("{} {} elements do not fit into the {} bytes that follow", element.count, quoted(element.name),
-                                                         cursor_.bytes_left()));
+            messages_.error(element.line, 1,
+                            fmt::format("{} {} elements do not fit into the {} bytes that follow", element.count, quoted(element.name),
+                                        cursor_.bytes_left()));
             return false;
         }
         const Meaning meaning = meaning_of(element);
@@ -60,7 +61,8 @@ private:
                     return ended_early(element, i);
                 }
                 const Property& property = element.properties[p];
-                const bool good = property.is_list ? read_list(element, i, static_cast<int>(p) == corners, meaning) : read_scalar(property, to[p], i);
+                const bool good =
+                    property.is_list ? read_list(element, i, static_cast<int>(p) == corners, meaning) : read_scalar(property, to[p], i);
                 if (!good) {
                     return false;
                 }

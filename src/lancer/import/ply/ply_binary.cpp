@@ -28,21 +28,30 @@ T load(const char* from, bool swapped) {
 template <class Use>
 void with_type(Type type, const Use& use) {
     switch (type) {
-        case Type::int8: return use(std::int8_t{});
-        case Type::uint8: return use(std::uint8_t{});
-        case Type::int16: return use(std::int16_t{});
-        case Type::uint16: return use(std::uint16_t{});
-        case Type::int32: return use(std::int32_t{});
-        case Type::uint32: return use(std::uint32_t{});
-        case Type::float32: return use(float{});
-        case Type::float64: return use(double{});
+        case Type::int8:
+            return use(std::int8_t{});
+        case Type::uint8:
+            return use(std::uint8_t{});
+        case Type::int16:
+            return use(std::int16_t{});
+        case Type::uint16:
+            return use(std::uint16_t{});
+        case Type::int32:
+            return use(std::int32_t{});
+        case Type::uint32:
+            return use(std::uint32_t{});
+        case Type::float32:
+            return use(float{});
+        case Type::float64:
+            return use(double{});
     }
 }
 
 // Negative numbers become huge ones, which no vertex has.
 std::uint32_t load_corner(const char* from, Type type, bool swapped) {
     std::uint32_t corner = 0;
-    with_type(type, [&](auto kind) { corner = static_cast<std::uint32_t>(static_cast<std::int64_t>(load<decltype(kind)>(from, swapped))); });
+    with_type(type,
+              [&](auto kind) { corner = static_cast<std::uint32_t>(static_cast<std::int64_t>(load<decltype(kind)>(from, swapped))); });
     return corner;
 }
 
@@ -55,7 +64,8 @@ std::int64_t load_count(const char* from, Type type, bool swapped) {
 class BinaryReader {
 public:
     BinaryReader(std::string_view body, const Header& header, Data& data, MeshMessages& messages)
-        : at_(body.data()), end_(at_ + body.size()), swapped_(header.format == Format::big_endian), header_(header), data_(data), messages_(messages) {}
+        : at_(body.data()), end_(at_ + body.size()), swapped_(header.format == Format::big_endian), header_(header), data_(data),
+          messages_(messages) {}
 
     void run() {
         for (const Element& element : header_.elements) {
@@ -64,8 +74,9 @@ public:
                 continue;
             }
             if (element.count > left() / smallest) {
-                messages_.error(element.line, 1, fmt::format("{} {} elements need at least {} bytes each, but only {} bytes are left", element.count,
-                                                             quoted(element.name), smallest, left()));
+                messages_.error(element.line, 1,
+                                fmt::format("{} {} elements need at least {} bytes each, but only {} bytes are left", element.count,
+                                            quoted(element.name), smallest, left()));
                 return;
             }
             if (!(element.has_lists() ? read_with_lists(element) : read_fixed(element, smallest))) {
@@ -91,7 +102,8 @@ private:
         const Columns columns = vertex_columns(element);
         const auto to = make_room(data_.mesh, count, columns);
         const auto is_float = [&](int property) { return element.properties[static_cast<std::size_t>(property)].type == Type::float32; };
-        if (!swapped_ && stride == sizeof(glm::vec3) && columns[x] == 0 && columns[y] == 1 && columns[z] == 2 && is_float(0) && is_float(1)) {
+        if (!swapped_ && stride == sizeof(glm::vec3) && columns[x] == 0 && columns[y] == 1 && columns[z] == 2 && is_float(0) &&
+            is_float(1)) {
             std::memcpy(to[x].first, at_, count * stride);
             return;
         }
@@ -182,8 +194,9 @@ private:
         const std::int64_t count = load_count(at_, property.count_type, swapped_);
         at_ += count_size;
         if (count < 0 || static_cast<std::uint64_t>(count) > left() / entry_size) {
-            messages_.error(0, 0, fmt::format("{} element {} (counted from 0): a list can't have {} entries, {} bytes are left", quoted(element.name), i,
-                                              count, left()));
+            messages_.error(0, 0,
+                            fmt::format("{} element {} (counted from 0): a list can't have {} entries, {} bytes are left",
+                                        quoted(element.name), i, count, left()));
             return false;
         }
         const std::size_t entries = static_cast<std::size_t>(count);
@@ -206,7 +219,9 @@ private:
         }
         for (std::size_t role = 0; role < role_count; ++role) {
             if (columns[role] == number) {
-                with_type(property.type, [&](auto kind) { to[role].first[i * to[role].stride] = static_cast<float>(load<decltype(kind)>(at_, swapped_)); });
+                with_type(property.type, [&](auto kind) {
+                    to[role].first[i * to[role].stride] = static_cast<float>(load<decltype(kind)>(at_, swapped_));
+                });
             }
         }
         at_ += size;

@@ -45,7 +45,8 @@ Meaning meaning_of(const Element& element) {
 }
 
 Columns vertex_columns(const Element& vertices) {
-    constexpr std::array<std::array<const char*, 2>, 4> uv_names = {{{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}};
+    constexpr std::array<std::array<const char*, 2>, 4> uv_names = {
+        {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}};
     const auto scalar = [&](std::string_view name) {
         const int found = vertices.find(name);
         return found >= 0 && !vertices.properties[static_cast<std::size_t>(found)].is_list ? found : -1;

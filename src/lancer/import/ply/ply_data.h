@@ -19,10 +19,10 @@ enum Role { x, y, z, nx, ny, nz, u, v, role_count };
 using Columns = std::array<int, role_count>;
 
 struct Data {
-    scene::TriangleMesh mesh;             // vertices, and the faces that are triangles
-    std::vector<std::uint32_t> corners;   // of larger faces, one face after the other
-    std::vector<std::size_t> face_ends;   // into corners
-    std::size_t small_faces = 0;          // with less than three corners, left out
+    scene::TriangleMesh mesh;            // vertices, and the faces that are triangles
+    std::vector<std::uint32_t> corners;  // of larger faces, one face after the other
+    std::vector<std::size_t> face_ends;  // into corners
+    std::size_t small_faces = 0;         // with less than three corners, left out
 
     void add_face(const std::uint32_t* numbers, std::size_t count);
     void add_large_face(const std::uint32_t* numbers, std::size_t count);  // or one with less than three corners

@@ -36,9 +36,10 @@ struct TypeName {
 };
 
 constexpr TypeName type_names[] = {
-    {"char", Type::int8},      {"int8", Type::int8},     {"uchar", Type::uint8},  {"uint8", Type::uint8},   {"short", Type::int16},     {"int16", Type::int16},
-    {"ushort", Type::uint16},  {"uint16", Type::uint16}, {"int", Type::int32},    {"int32", Type::int32},   {"uint", Type::uint32},     {"uint32", Type::uint32},
-    {"float", Type::float32},  {"float32", Type::float32}, {"double", Type::float64}, {"float64", Type::float64}};
+    {"char", Type::int8},     {"int8", Type::int8},       {"uchar", Type::uint8},    {"uint8", Type::uint8},
+    {"short", Type::int16},   {"int16", Type::int16},     {"ushort", Type::uint16},  {"uint16", Type::uint16},
+    {"int", Type::int32},     {"int32", Type::int32},     {"uint", Type::uint32},    {"uint32", Type::uint32},
+    {"float", Type::float32}, {"float32", Type::float32}, {"double", Type::float64}, {"float64", Type::float64}};
 
 // Nobody needs more, and looking names up stays quick.
 constexpr std::size_t most_elements = 64;

@@ -68,7 +68,8 @@ void check_reach(Messages& messages, const std::vector<scene::Object>& objects, 
 bool shows_something(const scene::Scene& scene) {
     std::vector<bool> groups;  // whether there is an object in it
     const auto any_placed = [&](const std::vector<scene::Placement>& placements) {
-        return std::any_of(placements.begin(), placements.end(), [&](const scene::Placement& p) { return groups[static_cast<std::size_t>(p.group)]; });
+        return std::any_of(placements.begin(), placements.end(),
+                           [&](const scene::Placement& p) { return groups[static_cast<std::size_t>(p.group)]; });
     };
     for (const scene::Group& group : scene.groups) {
         groups.push_back(!group.objects.empty() || any_placed(group.placements));
@@ -95,7 +96,8 @@ void build(Context& context, const toml::table& root) {
 
     materials.warn_about_unused();
     if (!shows_something(scene)) {
-        messages.error(whole_file, "there is nothing to see: the scene needs a shape, such as [[sphere]], or a [[place]] of a group with shapes");
+        messages.error(whole_file,
+                       "there is nothing to see: the scene needs a shape, such as [[sphere]], or a [[place]] of a group with shapes");
         return;
     }
     const std::vector<scene::Bounds> groups = scene::group_bounds(scene);

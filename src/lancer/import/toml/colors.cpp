@@ -16,9 +16,9 @@ struct NamedColor {
 };
 
 constexpr NamedColor named_colors[] = {
-    {"black", 0x000000}, {"silver", 0xc0c0c0}, {"gray", 0x808080},   {"white", 0xffffff}, {"maroon", 0x800000}, {"red", 0xff0000},
+    {"black", 0x000000},  {"silver", 0xc0c0c0},  {"gray", 0x808080},  {"white", 0xffffff}, {"maroon", 0x800000}, {"red", 0xff0000},
     {"purple", 0x800080}, {"fuchsia", 0xff00ff}, {"green", 0x008000}, {"lime", 0x00ff00},  {"olive", 0x808000},  {"yellow", 0xffff00},
-    {"orange", 0xffa500}, {"navy", 0x000080},   {"blue", 0x0000ff},   {"teal", 0x008080},  {"aqua", 0x00ffff}};
+    {"orange", 0xffa500}, {"navy", 0x000080},    {"blue", 0x0000ff},  {"teal", 0x008080},  {"aqua", 0x00ffff}};
 
 // [IEC 61966-2-1], in double; image/ has it for pixels.
 double decode_srgb(unsigned byte) {
@@ -26,7 +26,9 @@ double decode_srgb(unsigned byte) {
     return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
 }
 
-scene::Rgb decode_srgb_triple(unsigned rgb) { return {decode_srgb(rgb >> 16 & 255u), decode_srgb(rgb >> 8 & 255u), decode_srgb(rgb & 255u)}; }
+scene::Rgb decode_srgb_triple(unsigned rgb) {
+    return {decode_srgb(rgb >> 16 & 255u), decode_srgb(rgb >> 8 & 255u), decode_srgb(rgb & 255u)};
+}
 
 constexpr std::string_view expected_color = "a color: \"#rrggbb\", a name such as \"red\", or [r, g, b]";
 

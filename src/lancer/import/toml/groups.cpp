@@ -193,7 +193,8 @@ private:
                 return false;
             }
             if (member.scale < smallest_scale) {
-                error(named.placement.position, fmt::format("what this places is scaled by {:.3g} in all: nothing would be left", member.scale));
+                error(named.placement.position,
+                      fmt::format("what this places is scaled by {:.3g} in all: nothing would be left", member.scale));
                 return false;
             }
         }
@@ -202,7 +203,8 @@ private:
 
     void refuse_too_much() {
         if (whole_.objects > most_objects) {
-            error(whole_.contents.placements.front().placement.position, fmt::format("the placements make more than {} objects", most_objects));
+            error(whole_.contents.placements.front().placement.position,
+                  fmt::format("the placements make more than {} objects", most_objects));
         }
     }
 

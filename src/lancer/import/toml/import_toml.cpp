@@ -35,9 +35,15 @@ std::optional<scene::Scene> import_toml(std::string_view text, const std::string
     }
     for (Diagnostic& diagnostic : sorted_by_position(ours, path)) {
         switch (diagnostic.severity) {
-            case Severity::note: diagnostics.note(std::move(diagnostic.position), std::move(diagnostic.message)); break;
-            case Severity::warning: diagnostics.warning(std::move(diagnostic.position), std::move(diagnostic.message)); break;
-            case Severity::error: diagnostics.error(std::move(diagnostic.position), std::move(diagnostic.message)); break;
+            case Severity::note:
+                diagnostics.note(std::move(diagnostic.position), std::move(diagnostic.message));
+                break;
+            case Severity::warning:
+                diagnostics.warning(std::move(diagnostic.position), std::move(diagnostic.message));
+                break;
+            case Severity::error:
+                diagnostics.error(std::move(diagnostic.position), std::move(diagnostic.message));
+                break;
         }
     }
     if (ours.has_errors()) {

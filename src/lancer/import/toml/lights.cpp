@@ -54,7 +54,9 @@ std::optional<ReadLight> read_light(Messages& messages, const toml::table& table
     if (found == types.end()) {
         std::string hint = type ? did_you_mean(type->get(), types) : "";
         hint = hint.empty() ? hint : ";" + hint;
-        const std::string not_this = type ? fmt::format(", not \"{}\"", type->get()) : node ? fmt::format(", not {}", what_it_is(*node)) : "";
+        const std::string not_this = type   ? fmt::format(", not \"{}\"", type->get())
+                                     : node ? fmt::format(", not {}", what_it_is(*node))
+                                            : "";
         messages.error(messages.at(node ? *node : table),
                        fmt::format("a light needs \"type\": \"point\", \"spot\" or \"directional\"{}{}", not_this, hint));
         return std::nullopt;
@@ -66,9 +68,15 @@ std::optional<ReadLight> read_light(Messages& messages, const toml::table& table
     light.name = reader.text("name");
     light.position = reader.position();
     switch (kind) {
-        case 0: light.model = scene::PointLight{reader.vector3("position")}; break;
-        case 1: light.model = read_spot(reader); break;
-        default: light.model = scene::DirectionalLight{reader.direction("direction")}; break;
+        case 0:
+            light.model = scene::PointLight{reader.vector3("position")};
+            break;
+        case 1:
+            light.model = read_spot(reader);
+            break;
+        default:
+            light.model = scene::DirectionalLight{reader.direction("direction")};
+            break;
     }
     light.color = read_color(reader, "color");
     const auto intensity = reader.number_if_written("intensity");
@@ -91,14 +99,16 @@ void share_out(Messages& messages, std::vector<ReadLight>& all) {
             read.light.intensity = read.has_intensity ? read.light.intensity : part;
         }
     }
-    const double sum = std::accumulate(all.begin(), all.end(), 0.0, [](double s, const ReadLight& read) { return s + read.light.intensity; });
+    const double sum =
+        std::accumulate(all.begin(), all.end(), 0.0, [](double s, const ReadLight& read) { return s + read.light.intensity; });
     if (all.empty() || messages.diagnostics().has_errors()) {
         return;
     }
     if (sum == 0.0) {
         messages.warning(all.front().light.position, "the intensities of all lights are 0");
     } else if (std::abs(sum - 1.0) > 1e-6) {
-        messages.note(all.front().light.position, fmt::format("the intensities of the lights are shares that should sum to 1, not {:.6g}; they are scaled", sum));
+        messages.note(all.front().light.position,
+                      fmt::format("the intensities of the lights are shares that should sum to 1, not {:.6g}; they are scaled", sum));
         for (ReadLight& read : all) {
             read.light.intensity /= sum;
         }

@@ -20,7 +20,8 @@ void check_sellmeier(TableReader& reader, const scene::SellmeierGlass& glass) {
             n_squared += glass.b[i] == 0.0 ? 0.0 : glass.b[i] * square / (square - glass.c[i]);
         }
         if (!(n_squared >= 0.01 && n_squared <= 100.0)) {
-            reader.error("b", fmt::format("these coefficients give no refractive index between 0.1 and 10 at {} nm: n^2 = {:.4g}", nanometres, n_squared));
+            reader.error("b", fmt::format("these coefficients give no refractive index between 0.1 and 10 at {} nm: n^2 = {:.4g}",
+                                          nanometres, n_squared));
             return;
         }
     }
@@ -62,8 +63,9 @@ scene::Refraction read_refraction(TableReader& reader, std::string_view name) {
     }
     double index = preset;
     if (!node->is_number()) {
-        reader.error(name, fmt::format("\"{}\" must be a refractive index, the name of a glass, {{ index, abbe_number }} or {{ b, c }}, not {}", name,
-                                       what_it_is(*node)));
+        reader.error(name,
+                     fmt::format("\"{}\" must be a refractive index, the name of a glass, {{ index, abbe_number }} or {{ b, c }}, not {}",
+                                 name, what_it_is(*node)));
     } else if (!read_number(reader.messages(), *node, key, index)) {
         reader.spoil();
         index = preset;
@@ -88,8 +90,9 @@ scene::Material Materials::read_table(const toml::table& table) {
     model.absorption = read_color(reader, "absorption");
     const double together = model.reflectivity + model.transparency;
     if (reader.good() && together > 1.0 + 1e-9) {
-        reader.error("transparency",
-                     fmt::format("\"reflectivity\" and \"transparency\" share the light that arrives: together at most 1, not {}", together));
+        reader.error(
+            "transparency",
+            fmt::format("\"reflectivity\" and \"transparency\" share the light that arrives: together at most 1, not {}", together));
     }
     return {{}, model, reader.position()};
 }
@@ -122,9 +125,11 @@ void Materials::read_named(const toml::table& root) {
             context_.scene.materials.push_back(read_table(*table));
             context_.scene.materials.back().name = name;
         } else if (whitted_material().find(name)) {
-            context_.messages.error(context_.messages.at(*written.key), fmt::format("a material needs a name: [material.NAME]; \"{}\" stands in none", name));
+            context_.messages.error(context_.messages.at(*written.key),
+                                    fmt::format("a material needs a name: [material.NAME]; \"{}\" stands in none", name));
         } else {
-            context_.messages.error(context_.messages.at(*written.node), fmt::format("material \"{}\" must be a table, not {}", name, what_it_is(*written.node)));
+            context_.messages.error(context_.messages.at(*written.node),
+                                    fmt::format("material \"{}\" must be a table, not {}", name, what_it_is(*written.node)));
         }
     }
     used_.assign(context_.scene.materials.size(), false);

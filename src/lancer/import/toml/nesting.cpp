@@ -11,7 +11,8 @@ constexpr int longest_name = 32;  // parts between dots
 
 class Scanner {
 public:
-    Scanner(std::string_view text, const std::string& file, Diagnostics& diagnostics) : text_(text), file_(file), diagnostics_(diagnostics) {}
+    Scanner(std::string_view text, const std::string& file, Diagnostics& diagnostics)
+        : text_(text), file_(file), diagnostics_(diagnostics) {}
 
     Nesting run() {
         while (at_ < text_.size() && !result_.too_deep) {
@@ -26,10 +27,16 @@ private:
 
     void step() {
         switch (text_[at_]) {
-            case '\n': ++at_, parts_ = 1, end_line(); return;
-            case '#': skip_comment(); return;
+            case '\n':
+                ++at_, parts_ = 1, end_line();
+                return;
+            case '#':
+                skip_comment();
+                return;
             case '"':
-            case '\'': skip_string(); return;
+            case '\'':
+                skip_string();
+                return;
             case '[':
             case '{':
                 parts_ = 1;
@@ -43,13 +50,16 @@ private:
                 depth_ = depth_ > 0 ? depth_ - 1 : 0;
                 break;
             case '=':
-            case ',': parts_ = 1; break;
+            case ',':
+                parts_ = 1;
+                break;
             case '.':
                 if (++parts_ > longest_name) {
                     refuse(fmt::format("this name has too many parts: at most {} between dots", longest_name));
                 }
                 break;
-            default: break;
+            default:
+                break;
         }
         ++at_;
     }

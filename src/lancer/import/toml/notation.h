@@ -104,11 +104,11 @@ std::span<const Table* const> lights();
 
 // How a table stands in the file.
 enum class Form {
-    single,    // [render]
-    list,      // [[sphere]]
-    named,     // [material.NAME]
-    camera,    // [camera] and [camera.NAME]
-    color      // [background] or background = color
+    single,  // [render]
+    list,    // [[sphere]]
+    named,   // [material.NAME]
+    camera,  // [camera] and [camera.NAME]
+    color    // [background] or background = color
 };
 
 struct Section {

@@ -31,36 +31,51 @@ Json any_length(Json items) { return {{"type", "array"}, {"items", std::move(ite
 
 Json reference(std::string_view definition) { return {{"$ref", "#/$defs/" + std::string(definition)}}; }
 
-Json color(const Range& range) {
-    return {{"anyOf", Json::array({reference("color_text"), list(numbers(range, "number"), 3)})}};
-}
+Json color(const Range& range) { return {{"anyOf", Json::array({reference("color_text"), list(numbers(range, "number"), 3)})}}; }
 
 Json value_schema(const Key& key) {
     switch (key.kind) {
-        case Kind::number: return numbers(key.range, "number");
-        case Kind::integer: return numbers(key.range, "integer");
-        case Kind::flag: return {{"type", "boolean"}};
+        case Kind::number:
+            return numbers(key.range, "number");
+        case Kind::integer:
+            return numbers(key.range, "integer");
+        case Kind::flag:
+            return {{"type", "boolean"}};
         case Kind::text:
-        case Kind::file: return {{"type", "string"}, {"minLength", 1}};
+        case Kind::file:
+            return {{"type", "string"}, {"minLength", 1}};
         case Kind::choice:
             if (key.words.size() == 1) {
                 return {{"const", key.words.front()}};
             }
             return {{"enum", key.words}};
-        case Kind::vector2: return list(numbers(key.range, "number"), 2);
+        case Kind::vector2:
+            return list(numbers(key.range, "number"), 2);
         case Kind::vector3:
-        case Kind::direction: return list(numbers(key.range, "number"), 3);
-        case Kind::size: return list(numbers(key.range, "integer"), 2);
-        case Kind::color: return color(key.range);
-        case Kind::texture: return {{"anyOf", Json::array({reference("color_text"), list(numbers(key.range, "number"), 3), reference("checker"), reference("image")})}};
+        case Kind::direction:
+            return list(numbers(key.range, "number"), 3);
+        case Kind::size:
+            return list(numbers(key.range, "integer"), 2);
+        case Kind::color:
+            return color(key.range);
+        case Kind::texture:
+            return {{"anyOf", Json::array({reference("color_text"), list(numbers(key.range, "number"), 3), reference("checker"),
+                                           reference("image")})}};
         case Kind::refraction:
-            return {{"anyOf", Json::array({numbers(key.range, "number"), Json{{"type", "string"}}, reference("abbe_glass"), reference("sellmeier_glass")})}};
-        case Kind::material: return {{"anyOf", Json::array({Json{{"type", "string"}}, reference("material")})}};
-        case Kind::rotation: return {{"anyOf", Json::array({list(numbers(key.range, "number"), 3), reference("axis_rotation")})}};
-        case Kind::scale: return {{"anyOf", Json::array({numbers(key.range, "number"), list(numbers(key.range, "number"), 3)})}};
-        case Kind::vectors3: return any_length(list(numbers(key.range, "number"), 3));
-        case Kind::vectors2: return any_length(list(numbers(key.range, "number"), 2));
-        case Kind::triangles: return any_length(list(numbers(key.range, "integer"), 3));
+            return {{"anyOf", Json::array({numbers(key.range, "number"), Json{{"type", "string"}}, reference("abbe_glass"),
+                                           reference("sellmeier_glass")})}};
+        case Kind::material:
+            return {{"anyOf", Json::array({Json{{"type", "string"}}, reference("material")})}};
+        case Kind::rotation:
+            return {{"anyOf", Json::array({list(numbers(key.range, "number"), 3), reference("axis_rotation")})}};
+        case Kind::scale:
+            return {{"anyOf", Json::array({numbers(key.range, "number"), list(numbers(key.range, "number"), 3)})}};
+        case Kind::vectors3:
+            return any_length(list(numbers(key.range, "number"), 3));
+        case Kind::vectors2:
+            return any_length(list(numbers(key.range, "number"), 2));
+        case Kind::triangles:
+            return any_length(list(numbers(key.range, "integer"), 3));
     }
     return {};
 }
@@ -104,7 +119,8 @@ Json table_schema(const Table& table) {
 Json section_schema(const Section& section) {
     const Table& first = *section.tables.front();
     switch (section.form) {
-        case Form::single: return reference(first.name);
+        case Form::single:
+            return reference(first.name);
         case Form::list: {
             Json items = Json::array();
             for (const Table* table : section.tables) {
@@ -112,16 +128,20 @@ Json section_schema(const Section& section) {
             }
             return any_length(items.size() > 1 ? Json{{"anyOf", items}} : items.front());
         }
-        case Form::named: return {{"type", "object"}, {"additionalProperties", reference(first.name)}};
-        case Form::camera: return reference("camera");
-        case Form::color: return {{"anyOf", Json::array({color(first.find("color")->range), reference(first.name)})}};
+        case Form::named:
+            return {{"type", "object"}, {"additionalProperties", reference(first.name)}};
+        case Form::camera:
+            return reference("camera");
+        case Form::color:
+            return {{"anyOf", Json::array({color(first.find("color")->range), reference(first.name)})}};
     }
     return {};
 }
 
 Json definitions() {
     Json all;
-    all["color_text"] = {{"anyOf", Json::array({Json{{"type", "string"}, {"pattern", "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"}}, Json{{"enum", color_names()}}})},
+    all["color_text"] = {{"anyOf", Json::array({Json{{"type", "string"}, {"pattern", "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"}},
+                                                Json{{"enum", color_names()}}})},
                          {"description", "A color in sRGB: \"#rrggbb\" or a name."}};
     all["checker"] = table_schema(checker());
     all["image"] = table_schema(image());

@@ -55,7 +55,8 @@ void read_ambient(Context& context, const toml::node& node) {
 void read_render(Context& context, const toml::node& node) {
     const toml::table* table = node.as_table();
     if (!table) {
-        context.messages.error(context.messages.at(node), fmt::format("write [render] instead of {}", node.is_array() ? "[[render]]" : what_it_is(node)));
+        context.messages.error(context.messages.at(node),
+                               fmt::format("write [render] instead of {}", node.is_array() ? "[[render]]" : what_it_is(node)));
         return;
     }
     TableReader reader(context.messages, *table, render());

@@ -55,7 +55,8 @@ MaybeShape read_cylinder(TableReader& reader) {
 }
 
 MaybeShape read_cone(TableReader& reader) {
-    const scene::Cone cone{reader.vector3("from"), reader.vector3("to"), reader.number("radius"), reader.number("top_radius"), reader.flag("capped")};
+    const scene::Cone cone{reader.vector3("from"), reader.vector3("to"), reader.number("radius"), reader.number("top_radius"),
+                           reader.flag("capped")};
     check_axis(reader, cone.from, cone.to);
     if (reader.good() && cone.radius == 0.0 && cone.top_radius == 0.0) {
         reader.error("radius", "\"radius\" and \"top_radius\" must not both be 0");
@@ -70,7 +71,8 @@ void check_inline_corners(TableReader& reader, const scene::TriangleMesh& mesh) 
             const std::uint32_t corner = mesh.triangles[i][k];
             if (corner >= mesh.positions.size()) {
                 const toml::node& node = *list->get(i)->as_array()->get(static_cast<std::size_t>(k));
-                reader.error(reader.messages().at(node), fmt::format("there is no corner {}: \"positions\" has {}, counted from 0", corner, mesh.positions.size()));
+                reader.error(reader.messages().at(node),
+                             fmt::format("there is no corner {}: \"positions\" has {}, counted from 0", corner, mesh.positions.size()));
             }
         }
     }
@@ -85,7 +87,8 @@ std::shared_ptr<const scene::TriangleMesh> read_inline_mesh(Context& context, Ta
     for (const char* key : {"normals", "uvs"}) {
         const std::size_t count = key[0] == 'n' ? mesh->normals.size() : mesh->uvs.size();
         if (reader.good() && count != 0 && count != mesh->positions.size()) {
-            reader.error(key, fmt::format("\"{}\" must have one entry for each of the {} positions, not {}", key, mesh->positions.size(), count));
+            reader.error(
+                key, fmt::format("\"{}\" must have one entry for each of the {} positions, not {}", key, mesh->positions.size(), count));
         }
     }
     if (reader.good()) {

@@ -13,8 +13,8 @@ namespace lancer::notation {
 namespace {
 
 // Squares and products of two lengths stay finite in single precision, and a length times itself does not vanish.
-constexpr double longest = 1e15;    // metres
-constexpr double shortest = 1e-9;   // metres
+constexpr double longest = 1e15;   // metres
+constexpr double shortest = 1e-9;  // metres
 
 bool is_length(const Key& key) { return key.unit == "m"; }
 
@@ -80,7 +80,8 @@ bool read_number(Messages& messages, const toml::node& node, const Key& key, dou
     return check_number(messages, node, key, number);
 }
 
-bool read_numbers(Messages& messages, const toml::node& node, const Key& key, std::size_t count, std::string_view example, double* numbers) {
+bool read_numbers(Messages& messages, const toml::node& node, const Key& key, std::size_t count, std::string_view example,
+                  double* numbers) {
     const toml::array* array = node.as_array();
     if (!array) {
         messages.error(messages.at(node), fmt::format("\"{}\" must be {}, not {}", key.name, example, what_it_is(node)));

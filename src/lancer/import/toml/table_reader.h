@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include <toml++/toml.h>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <toml++/toml.h>
 
 #include "lancer/import/toml/messages.h"
 #include "lancer/import/toml/notation.h"
@@ -41,7 +41,7 @@ public:
     std::optional<double> number_if_written(std::string_view key);
     int integer(std::string_view key);
     bool flag(std::string_view key);
-    std::string text(std::string_view key);  // of Kind::text and Kind::file
+    std::string text(std::string_view key);    // of Kind::text and Kind::file
     std::size_t choice(std::string_view key);  // index into the key's words
     glm::dvec2 vector2(std::string_view key);
     glm::dvec3 vector3(std::string_view key);

@@ -33,12 +33,16 @@ Table shape(std::string_view name, std::string_view what, std::string_view help,
 }
 
 Table light(std::string_view type, std::string_view what, std::string_view help, std::vector<Key> keys) {
-    Table table{type, what, help, {{"type", Kind::choice, none, any, "", "What kind of light it is.", true, {type}}, name_key("A name, for messages.")}};
+    Table table{type,
+                what,
+                help,
+                {{"type", Kind::choice, none, any, "", "What kind of light it is.", true, {type}}, name_key("A name, for messages.")}};
     table.keys.insert(table.keys.end(), keys.begin(), keys.end());
     table.keys.push_back({"color", Kind::color, glm::dvec3(1.0), not_negative, "", "The colour of its light."});
-    table.keys.push_back({"intensity", Kind::number, none, Range{0.0, 1e6}, "",
-                          "Its share of the light. The shares of all lights sum to 1; when they do not, they are scaled. Lights without one "
-                          "have equal parts of what the others leave."});
+    table.keys.push_back(
+        {"intensity", Kind::number, none, Range{0.0, 1e6}, "",
+         "Its share of the light. The shares of all lights sum to 1; when they do not, they are scaled. Lights without one "
+         "have equal parts of what the others leave."});
     return table;
 }
 
@@ -53,7 +57,8 @@ const Table& camera() {
          {"look_at", Kind::vector3, none, any, "m", "The point in the middle of the picture; instead of direction."},
          {"direction", Kind::direction, glm::dvec3(0.0, 0.0, -1.0), any, "", "Where it looks; instead of look_at."},
          {"up", Kind::direction, upwards, any, "", "What is up in the picture."},
-         {"fov", Kind::number, 60.0, Range{0.0, 180.0, true, true}, "degrees", "The field of view, between two opposite edges of the picture."},
+         {"fov", Kind::number, 60.0, Range{0.0, 180.0, true, true}, "degrees",
+          "The field of view, between two opposite edges of the picture."},
          {"fov_axis", Kind::choice, "width", any, "", "Whether fov spans the picture's width or its height.", false, {"width", "height"}}}};
     return table;
 }
@@ -65,13 +70,14 @@ const Table& point_light() {
 }
 
 const Table& spot_light() {
-    static const Table table = light(
-        "spot", "a spot light", "A cone of light from a point.",
-        {{"position", Kind::vector3, none, any, "m", "Where it stands.", true},
-         {"direction", Kind::direction, none, any, "", "Where it shines; instead of look_at."},
-         {"look_at", Kind::vector3, none, any, "m", "The point that it shines at; instead of direction."},
-         {"angle", Kind::number, 30.0, Range{0.0, 180.0, true, true}, "degrees", "From the cone's axis to where the light ends."},
-         {"falloff", Kind::number, 5.0, Range{0.0, 180.0}, "degrees", "Over how much of angle it fades, measured inwards; at most angle."}});
+    static const Table table =
+        light("spot", "a spot light", "A cone of light from a point.",
+              {{"position", Kind::vector3, none, any, "m", "Where it stands.", true},
+               {"direction", Kind::direction, none, any, "", "Where it shines; instead of look_at."},
+               {"look_at", Kind::vector3, none, any, "m", "The point that it shines at; instead of direction."},
+               {"angle", Kind::number, 30.0, Range{0.0, 180.0, true, true}, "degrees", "From the cone's axis to where the light ends."},
+               {"falloff", Kind::number, 5.0, Range{0.0, 180.0}, "degrees",
+                "Over how much of angle it fades, measured inwards; at most angle."}});
     return table;
 }
 
@@ -91,7 +97,8 @@ const Table& whitted_material() {
          {"ambient", Kind::number, 0.1, share, "", "How much of the scene's ambient light it gives back."},
          {"diffuse", Kind::number, 0.9, share, "", "How much of the lights' light it scatters."},
          {"highlight", Kind::number, 0.3, share, "", "How strong the highlights of the lights are."},
-         {"shininess", Kind::number, 50.0, Range{0.0, 1e6, true, false}, "", "The exponent of the highlight: larger is smaller and sharper."},
+         {"shininess", Kind::number, 50.0, Range{0.0, 1e6, true, false}, "",
+          "The exponent of the highlight: larger is smaller and sharper."},
          {"reflectivity", Kind::number, 0.0, share, "", "How much it mirrors."},
          {"transparency", Kind::number, 0.0, share, "", "How much passes into it; with reflectivity at most 1."},
          {"refraction", Kind::refraction, 1.5, Range{0.1, 10.0}, "",
@@ -156,15 +163,16 @@ const Table& axis_rotation() {
 }
 
 const Table& place() {
-    static const Table table{"place",
-                             "a placement",
-                             "Places a group, as often as wanted.",
-                             {{"group", Kind::text, none, any, "", "The name of the group.", true},
-                              {"material", Kind::material, none, any, "", "Replaces the materials of everything in the group."},
-                              {"scale", Kind::scale, glm::dvec3(1.0), Range{-1e9, 1e9}, "", "Applied first: one number or one for each axis."},
-                              {"rotate", Kind::rotation, origin, Range{-1e6, 1e6}, "degrees",
-                               "Applied second: about x, then y, then z; or { axis = [x, y, z], angle = degrees }."},
-                              {"translate", Kind::vector3, origin, any, "m", "Applied last."}}};
+    static const Table table{
+        "place",
+        "a placement",
+        "Places a group, as often as wanted.",
+        {{"group", Kind::text, none, any, "", "The name of the group.", true},
+         {"material", Kind::material, none, any, "", "Replaces the materials of everything in the group."},
+         {"scale", Kind::scale, glm::dvec3(1.0), Range{-1e9, 1e9}, "", "Applied first: one number or one for each axis."},
+         {"rotate", Kind::rotation, origin, Range{-1e6, 1e6}, "degrees",
+          "Applied second: about x, then y, then z; or { axis = [x, y, z], angle = degrees }."},
+         {"translate", Kind::vector3, origin, any, "m", "Applied last."}}};
     return table;
 }
 
@@ -225,14 +233,15 @@ const Table& cone() {
 }
 
 const Table& mesh() {
-    static const Table table = shape(
-        "mesh", "a mesh", "Triangles, from a file or written here; counter-clockwise seen from outside.",
-        {{"file", Kind::file, none, any, "", "An .obj or .ply file, seen from the scene file's folder; instead of positions and triangles."},
-         {"positions", Kind::vectors3, none, any, "m", "The corners, [x, y, z] each."},
-         {"triangles", Kind::triangles, none, corner, "", "Three numbers of corners each, counted from 0."},
-         {"normals", Kind::vectors3, none, Range{-1e6, 1e6}, "", "One for each corner."},
-         {"uvs", Kind::vectors2, none, Range{-1e6, 1e6}, "", "Texture coordinates [u, v], one for each corner."},
-         {"smooth", Kind::flag, true, any, "", "Use the normals of the corners, where there are any."}});
+    static const Table table =
+        shape("mesh", "a mesh", "Triangles, from a file or written here; counter-clockwise seen from outside.",
+              {{"file", Kind::file, none, any, "",
+                "An .obj or .ply file, seen from the scene file's folder; instead of positions and triangles."},
+               {"positions", Kind::vectors3, none, any, "m", "The corners, [x, y, z] each."},
+               {"triangles", Kind::triangles, none, corner, "", "Three numbers of corners each, counted from 0."},
+               {"normals", Kind::vectors3, none, Range{-1e6, 1e6}, "", "One for each corner."},
+               {"uvs", Kind::vectors2, none, Range{-1e6, 1e6}, "", "Texture coordinates [u, v], one for each corner."},
+               {"smooth", Kind::flag, true, any, "", "Use the normals of the corners, where there are any."}});
     return table;
 }
 
@@ -264,8 +273,16 @@ const Table& render() {
          {"integrator", Kind::choice, "whitted", any, "", "How light is followed.", false, {"whitted"}},
          {"bounces", Kind::integer, 5.0, Range{0.0, 24.0}, "", "Reflections and refractions after the first hit."},
          {"ssaa", Kind::integer, 1.0, Range{1.0, 64.0}, "", "Supersampling: ssaa x ssaa samples a pixel."},
-         {"aa", Kind::choice, "uniform", any, "", "The same samples for every pixel, or more where neighbours differ.", false, {"uniform", "adaptive"}},
-         {"adaptive_threshold", Kind::number, 0.03, Range{0.0, 1.0}, "", "The difference of display values that makes a cell be cut in four."},
+         {"aa",
+          Kind::choice,
+          "uniform",
+          any,
+          "",
+          "The same samples for every pixel, or more where neighbours differ.",
+          false,
+          {"uniform", "adaptive"}},
+         {"adaptive_threshold", Kind::number, 0.03, Range{0.0, 1.0}, "",
+          "The difference of display values that makes a cell be cut in four."},
          {"adaptive_depth", Kind::integer, 3.0, Range{0.0, 8.0}, "", "How often a cell is cut at most."},
          {"min_weight", Kind::number, 0.0005, Range{0.0, 1.0}, "",
           "Reflected and refracted rays that can bring less than this share of their light to the pixel are not followed."},
