@@ -12,6 +12,8 @@ for argument in sys.argv[1:]:
     isa, _, path = argument.partition("=")
     for line in subprocess.run(["nm", "--defined-only", "-C", path], check=True, capture_output=True, text=True).stdout.splitlines():
         _, kind, name = line.split(None, 2)
+        if name.startswith("DW.ref."):  # the address of a function elsewhere, for the unwinder
+            continue
         seen += 1
         # Upper case is global; W, V and u may be merged with those of other objects.
         if (kind.isupper() or kind == "u") and not re.search(rf"(?<![a-z0-9]){isa}(?![a-z0-9])", name):
