@@ -5,9 +5,17 @@
 
 #include <embree3/rtcore.h>
 
+#include "lancer/trace/packet.h"
 #include "lancer/trace/tree.h"
 
 namespace lancer {
+
+// What Embree hands through to our functions while it follows a packet of rays. A ray's id is its lane.
+struct TraceContext {
+    RTCIntersectContext embree;
+    const kernel::WorldRecord* world;
+    TracePacket* packet;  // keeps the first hit of each lane so far
+};
 
 struct Tree::Implementation {
     RTCDevice device = nullptr;

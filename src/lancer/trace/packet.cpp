@@ -3,18 +3,15 @@
 #include <cstddef>
 
 #include "lancer/kernel/plane.h"
-#include "lancer/kernel/triangle.h"
+#include "lancer/trace/first_hit.h"
 #include "lancer/trace/implementation.h"
 
 namespace lancer {
 
 namespace {
 
-const Tree::Implementation& tree_of(const kernel::WorldRecord& world) { return reinterpret_cast<const Tree*>(world.tree)->implementation(); }
-
-kernel::Ray ray_of(const TracePacket& p, int lane) {
-    return {kernel::vec3_of(p.origin_x[lane], p.origin_y[lane], p.origin_z[lane]),
-            kernel::vec3_of(p.direction_x[lane], p.direction_y[lane], p.direction_z[lane]), p.reach[lane]};
+const Tree::Implementation& tree_of(const kernel::WorldRecord& world) {
+    return reinterpret_cast<const Tree*>(world.tree)->implementation();
 }
 
 template <int lanes>
@@ -57,95 +54,58 @@ void fill(const TracePacket& p, typename Packet<lanes>::Ray& rays, int* valid) {
         rays.tfar[i] = p.reach[i];
         rays.time[i] = 0.0f;
         rays.mask[i] = ~0u;
+        rays.id[i] = static_cast<unsigned>(i);
         rays.flags[i] = 0;
     }
 }
 
-// The kernel's own distance and place on the triangle; Embree's where the two disagree at its very edge.
-void meet_again(const kernel::WorldRecord& world, int object, TracePacket& p, int lane) {
-    const kernel::InstanceRecord& instance = world.instances[world.objects[object].index];
-    const kernel::MeshRecord& mesh = world.meshes[instance.mesh];
-    const int* corners = world.indices + 3 * (mesh.first_triangle + p.part[lane]);
-    const auto corner = [&](int i) {
-        return kernel::apply_affine(instance.to_world, kernel::broadcast(world.positions[mesh.first_vertex + corners[i]]));
-    };
-    const kernel::TriangleHit hit = kernel::triangle_hit(corner(0), corner(1), corner(2), ray_of(p, lane));
-    if (hit.t < kernel::FAR) {
-        p.t[lane] = hit.t;
-        p.u[lane] = hit.u;
-        p.v[lane] = hit.v;
-    }
-}
-
-// Planes are in no tree. One at the same distance as an object with a smaller number stays behind it.
+// Planes are in no tree: they come first.
 void meet_planes(const kernel::WorldRecord& world, TracePacket& p, int lane) {
     const int first = world.sphere_count + world.box_count;
-    const kernel::Ray ray = ray_of(p, lane);
+    const kernel::Ray ray = lane_ray(p, lane);
     for (int i = 0; i < world.plane_count; ++i) {
-        const float t = kernel::plane_distance(world.planes[i], ray);
-        if (t < p.t[lane] || (t == p.t[lane] && t < ray.reach && first + i < p.object[lane])) {
-            p.t[lane] = t;
-            p.object[lane] = first + i;
-            p.part[lane] = 0;
-        }
+        keep_first(p, lane, first + i, 0, {kernel::plane_distance(world.planes[i], ray), 0.0f, 0.0f});
     }
 }
 
 template <int lanes>
 void closest(const kernel::WorldRecord& world, TracePacket& p) {
-    const Tree::Implementation& tree = tree_of(world);
     alignas(64) int valid[static_cast<std::size_t>(lanes)];
-    typename Packet<lanes>::RayHit packet;
-    fill<lanes>(p, packet.ray, valid);
-    for (int i = 0; i < lanes; ++i) {
-        packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-        packet.hit.primID[i] = RTC_INVALID_GEOMETRY_ID;
-        packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-    }
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    Packet<lanes>::intersect(valid, tree.scene, &context, &packet);
     for (int i = 0; i < lanes; ++i) {
         p.t[i] = p.reach[i];
         p.object[i] = -1;
         p.part[i] = 0;
         p.u[i] = 0.0f;
         p.v[i] = 0.0f;
-        if (!is_alive(p, i)) {
-            continue;
+        if (is_alive(p, i)) {
+            meet_planes(world, p, i);
         }
-        const unsigned instance = packet.hit.instID[0][i];
-        if (instance != RTC_INVALID_GEOMETRY_ID) {
-            p.t[i] = packet.ray.tfar[i];
-            p.object[i] = tree.objects_of_geometry[instance];
-            p.part[i] = static_cast<int>(packet.hit.primID[i]);
-            p.u[i] = packet.hit.u[i];
-            p.v[i] = packet.hit.v[i];
-            meet_again(world, p.object[i], p, i);
-        } else if (packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID) {
-            p.t[i] = packet.ray.tfar[i];
-            p.object[i] = tree.shapes[packet.hit.primID[i]];
-            p.part[i] = world.objects[p.object[i]].sub;
-            p.u[i] = packet.hit.u[i];
-            p.v[i] = packet.hit.v[i];
-        }
-        meet_planes(world, p, i);
     }
+    typename Packet<lanes>::RayHit packet;
+    fill<lanes>(p, packet.ray, valid);
+    for (int i = 0; i < lanes; ++i) {
+        packet.ray.tfar[i] = first_known(p, i);
+        packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        packet.hit.primID[i] = RTC_INVALID_GEOMETRY_ID;
+        packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    TraceContext context{{}, &world, &p};
+    rtcInitIntersectContext(&context.embree);
+    Packet<lanes>::intersect(valid, tree_of(world).scene, &context.embree, &packet);
 }
 
 template <int lanes>
 void occlude(const kernel::WorldRecord& world, TracePacket& p) {
-    const Tree::Implementation& tree = tree_of(world);
     alignas(64) int valid[static_cast<std::size_t>(lanes)];
     typename Packet<lanes>::Ray packet;
     fill<lanes>(p, packet, valid);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    Packet<lanes>::occlude(valid, tree.scene, &context, &packet);
+    TraceContext context{{}, &world, &p};
+    rtcInitIntersectContext(&context.embree);
+    Packet<lanes>::occlude(valid, tree_of(world).scene, &context.embree, &packet);
     for (int i = 0; i < lanes; ++i) {
         bool hidden = packet.tfar[i] < 0.0f;
         for (int plane = 0; plane < world.plane_count && !hidden; ++plane) {
-            hidden = kernel::plane_distance(world.planes[plane], ray_of(p, i)) < p.reach[i];
+            hidden = kernel::plane_distance(world.planes[plane], lane_ray(p, i)) < p.reach[i];
         }
         p.object[i] = hidden && is_alive(p, i) ? 1 : 0;
     }

@@ -7,6 +7,7 @@
 
 #include "lancer/base/failure.h"
 #include "lancer/kernel/all_objects.h"
+#include "lancer/trace/first_hit.h"
 #include "lancer/trace/implementation.h"
 
 namespace lancer {
@@ -111,56 +112,104 @@ kernel::TriangleHit shape_hit(const kernel::WorldRecord& world, int number, cons
     return hit;
 }
 
-kernel::Ray ray_of(RTCRayN* rays, unsigned n, unsigned i) {
-    return {kernel::vec3_of(RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i)),
-            kernel::vec3_of(RTCRayN_dir_x(rays, n, i), RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i)), RTCRayN_tfar(rays, n, i)};
-}
-
 void bound_shape(const RTCBoundsFunctionArguments* arguments) {
     const auto& tree = *static_cast<const Implementation*>(arguments->geometryUserPtr);
     *arguments->bounds_o = shape_bounds(tree.world, tree.shapes[arguments->primID]);
 }
 
+const TraceContext& context_of(const RTCIntersectContext* context) { return *reinterpret_cast<const TraceContext*>(context); }
+
 void intersect_shape(const RTCIntersectFunctionNArguments* arguments) {
     const auto& tree = *static_cast<const Implementation*>(arguments->geometryUserPtr);
+    TracePacket& packet = *context_of(arguments->context).packet;
     RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
-    RTCHitN* hits = RTCRayHitN_HitN(arguments->rayhit, arguments->N);
+    const int number = tree.shapes[arguments->primID];
     for (unsigned i = 0; i < arguments->N; ++i) {
         if (arguments->valid[i] != -1) {
             continue;
         }
-        const kernel::Ray ray = ray_of(rays, arguments->N, i);
-        const kernel::TriangleHit hit = shape_hit(tree.world, tree.shapes[arguments->primID], ray);
-        // At the same distance the object that the author named first is in front, in whatever order the tree asks.
-        const bool first_of_equals = hit.t == ray.reach && RTCHitN_geomID(hits, arguments->N, i) == arguments->geomID &&
-                                     arguments->primID < RTCHitN_primID(hits, arguments->N, i);
-        if (hit.t < ray.reach || first_of_equals) {
-            RTCRayN_tfar(rays, arguments->N, i) = hit.t;
-            RTCHitN_u(hits, arguments->N, i) = hit.u;
-            RTCHitN_v(hits, arguments->N, i) = hit.v;
-            RTCHitN_geomID(hits, arguments->N, i) = arguments->geomID;
-            RTCHitN_primID(hits, arguments->N, i) = arguments->primID;
-            RTCHitN_instID(hits, arguments->N, i, 0) = RTC_INVALID_GEOMETRY_ID;
+        const int lane = static_cast<int>(RTCRayN_id(rays, arguments->N, i));
+        if (keep_first(packet, lane, number, tree.world.objects[number].sub, shape_hit(tree.world, number, lane_ray(packet, lane)))) {
+            RTCRayN_tfar(rays, arguments->N, i) = first_known(packet, lane);
         }
     }
 }
 
 void occlude_shape(const RTCOccludedFunctionNArguments* arguments) {
     const auto& tree = *static_cast<const Implementation*>(arguments->geometryUserPtr);
+    const TracePacket& packet = *context_of(arguments->context).packet;
     for (unsigned i = 0; i < arguments->N; ++i) {
         if (arguments->valid[i] != -1) {
             continue;
         }
-        const kernel::Ray ray = ray_of(arguments->ray, arguments->N, i);
+        const kernel::Ray ray = lane_ray(packet, static_cast<int>(RTCRayN_id(arguments->ray, arguments->N, i)));
         if (shape_hit(tree.world, tree.shapes[arguments->primID], ray).t < ray.reach) {
             RTCRayN_tfar(arguments->ray, arguments->N, i) = -std::numeric_limits<float>::infinity();
         }
     }
 }
 
+// The kernel's answer for a triangle that Embree would accept. Where only the two roundings of its edge differ, Embree's word counts: it
+// refused the neighbour. But the distance is the kernel's, in world space, where the ray's origin was moved off its surface.
+kernel::TriangleHit mesh_hit(const kernel::WorldRecord& world, int object, int part, float u, float v, const kernel::Ray& ray) {
+    const kernel::InstanceRecord& instance = world.instances[world.objects[object].index];
+    const kernel::MeshRecord& mesh = world.meshes[instance.mesh];
+    const int* corners = world.indices + 3 * (mesh.first_triangle + part);
+    const auto corner = [&](int i) {
+        return kernel::apply_affine(instance.to_world, kernel::broadcast(world.positions[mesh.first_vertex + corners[i]]));
+    };
+    const kernel::Vec3 a = corner(0), b = corner(1), c = corner(2);
+    kernel::TriangleHit hit = kernel::triangle_hit(a, b, c, ray);
+    if (hit.t >= kernel::FAR) {
+        const float t = kernel::triangle_plane_distance(a, b, c, ray);
+        hit = {t, u, v};
+    }
+    return hit;
+}
+
+// Calls `decide(place, lane, object, part, hit)` for each triangle that Embree found, and refuses those for which it says no.
+template <class Decide>
+void filter_triangles(const RTCFilterFunctionNArguments* arguments, const Decide& decide) {
+    const TraceContext& context = context_of(arguments->context);
+    const kernel::WorldRecord& world = *context.world;
+    const Implementation& tree = reinterpret_cast<const Tree*>(world.tree)->implementation();
+    for (unsigned i = 0; i < arguments->N; ++i) {
+        if (arguments->valid[i] != -1) {
+            continue;
+        }
+        const int lane = static_cast<int>(RTCRayN_id(arguments->ray, arguments->N, i));
+        const int object = tree.objects_of_geometry[RTCHitN_instID(arguments->hit, arguments->N, i, 0)];
+        const int part = static_cast<int>(RTCHitN_primID(arguments->hit, arguments->N, i));
+        const kernel::TriangleHit hit = mesh_hit(world, object, part, RTCHitN_u(arguments->hit, arguments->N, i),
+                                                 RTCHitN_v(arguments->hit, arguments->N, i), lane_ray(*context.packet, lane));
+        if (!decide(i, lane, object, part, hit)) {
+            arguments->valid[i] = 0;
+        }
+    }
+}
+
+void choose_triangle(const RTCFilterFunctionNArguments* arguments) {
+    TracePacket& packet = *context_of(arguments->context).packet;
+    filter_triangles(arguments, [&](unsigned i, int lane, int object, int part, const kernel::TriangleHit& hit) {
+        const bool is_first = hit.t < kernel::FAR && keep_first(packet, lane, object, part, hit);
+        if (is_first) {
+            RTCRayN_tfar(arguments->ray, arguments->N, i) = first_known(packet, lane);
+        }
+        return is_first;
+    });
+}
+
+void confirm_triangle(const RTCFilterFunctionNArguments* arguments) {
+    const TracePacket& packet = *context_of(arguments->context).packet;
+    filter_triangles(arguments, [&](unsigned, int lane, int, int, const kernel::TriangleHit& hit) { return hit.t < packet.reach[lane]; });
+}
+
 RTCScene build_mesh(RTCDevice device, const World& world, const kernel::MeshRecord& mesh) {
     RTCScene scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetGeometryIntersectFilterFunction(geometry, choose_triangle);
+    rtcSetGeometryOccludedFilterFunction(geometry, confirm_triangle);
     // The last position of all is padding.
     const std::size_t vertices = world.positions.size() - static_cast<std::size_t>(mesh.first_vertex) - 1;
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, world.positions.data(),
@@ -187,7 +236,8 @@ void add_shapes(Implementation& tree, const World& world) {
     RTCGeometry geometry = rtcNewGeometry(tree.device, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(tree.shapes.size()));
     rtcSetGeometryUserData(geometry, &tree);
-    rtcSetGeometryBoundsFunction(geometry, [](const RTCBoundsFunctionArguments* a) { bound_shape(a); }, nullptr);
+    rtcSetGeometryBoundsFunction(
+        geometry, [](const RTCBoundsFunctionArguments* a) { bound_shape(a); }, nullptr);
     rtcSetGeometryIntersectFunction(geometry, intersect_shape);
     rtcSetGeometryOccludedFunction(geometry, occlude_shape);
     rtcCommitGeometry(geometry);
@@ -229,6 +279,7 @@ Tree::Tree(const World& world, int threads) : implementation_(std::make_unique<I
         throw MachineFailure("Embree could not start on this machine (error " + std::to_string(rtcGetDeviceError(nullptr)) + ")");
     }
     tree.scene = rtcNewScene(tree.device);
+    rtcSetSceneFlags(tree.scene, RTC_SCENE_FLAG_ROBUST);
     add_shapes(tree, world);
     add_instances(tree, world);
     rtcCommitScene(tree.scene);
