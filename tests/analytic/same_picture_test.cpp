@@ -168,11 +168,15 @@ TEST(SamePicture, OfSmallThingsFarAway) {
     const int white = world.add(matte());
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 middle(0.03 * (i % 4) - 0.045, 0.03 * (i / 4), 0.0);
-        world.add(scene::Sphere{middle, 0.01}, white);
+        if (i % 2 == 0) {
+            world.add(scene::Sphere{middle, 0.01}, white);
+        } else {
+            world.add(scene::Box{middle - 0.01, middle + 0.01}, white);
+        }
         world.add(scene::Cone{middle + glm::dvec3(0.0, -0.06, 0.0), middle + glm::dvec3(0.0, -0.05, 0.0), 0.01, 0.0, true}, white);
     }
     world.add_light(scene::DirectionalLight{{0.2, -1.0, -0.6}}, 1.0);
-    for (const double distance : {10.0, 1000.0, 20000.0}) {
+    for (const double distance : {10.0, 1000.0, 2e4}) {
         world.look({0.6 * distance, 0.0, 0.8 * distance}, {-0.6, 0.0, -0.8});
         world.scene.cameras[0].fov = 2.0 * std::atan(0.1 / distance) * 180.0 / std::numbers::pi;
         expect_one_picture(world, 48);

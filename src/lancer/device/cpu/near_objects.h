@@ -21,7 +21,8 @@ FN std::uint64_t near_objects(IN(WorldRecord) world, IN(Ray) ray, Mask alive) {
     }
     // A lane in the middle of the block where it is on: the bundle is narrowest around it.
     const int middle = ((bits >> (LANES / 2 - 1)) & 1u) != 0 ? LANES / 2 - 1 : __builtin_ctz(bits);
-    const Vec3 o = vec3_of(Float(lane_of(ray.origin.x, middle)), Float(lane_of(ray.origin.y, middle)), Float(lane_of(ray.origin.z, middle)));
+    const Vec3 o =
+        vec3_of(Float(lane_of(ray.origin.x, middle)), Float(lane_of(ray.origin.y, middle)), Float(lane_of(ray.origin.z, middle)));
     const Vec3 d =
         vec3_of(Float(lane_of(ray.direction.x, middle)), Float(lane_of(ray.direction.y, middle)), Float(lane_of(ray.direction.z, middle)));
     const Vec3 o_off = ray.origin - o;
@@ -38,7 +39,8 @@ FN std::uint64_t near_objects(IN(WorldRecord) world, IN(Ray) ray, Mask alive) {
                        o;
         const Float along = dot(f, d);
         const Vec3 off = f - d * along;
-        const Float size = Float::load_unaligned(world.bound_radius + first) + r;
+        // What the objects' own tests lose to rounding over a distance counts as part of them.
+        const Float size = Float::load_unaligned(world.bound_radius + first) + r + abs(along) * Float(16.0f * ROUNDING);
         const Float reach = size + k * along;
         const Mask near = both(reach >= zero, dot(off, off) * narrowing <= reach * reach);
         const Mask met = either(both(near, along + size >= zero), both(spreads, size >= zero));
