@@ -179,6 +179,7 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
     prepared.options.adaptive_threshold = scene.settings.adaptive_threshold;
     prepared.options.adaptive_depth = scene.settings.adaptive_depth;
     prepared.options.exposure = scene.settings.exposure;
+    prepared.options.shuffle = 1;  // so that the time left is not guessed from the sky alone
 
     CpuOptions cpu;
     cpu.tracer = tracer_named(arguments.trace);

@@ -22,6 +22,7 @@
 #include "lancer/app/figures/page.h"
 #include "lancer/app/figures/speedup_plot.h"
 #include "lancer/app/prepare.h"
+#include "lancer/app/smaller_film.h"
 #include "lancer/app/speedup.h"
 #include "lancer/base/failure.h"
 #include "lancer/image/replace_file.h"
@@ -35,7 +36,7 @@ namespace {
 
 constexpr int tries = 3;  // of each timing
 
-// How far the whole is. Work is counted in samples on one thread; renders with more threads count for less.
+// How far the whole is, in seconds of work that were estimated beforehand.
 class Overall : public RenderObserver {
 public:
     Overall(ProgressStyle style, double total) : printer_(style, "figures"), total_(total) {}
@@ -68,12 +69,17 @@ private:
 struct Job {
     const Figure* figure = nullptr;
     Prepared prepared;
+    double seconds = 0.0;  // estimated
 };
 
-double work_of(const RenderOptions& options) {
-    constexpr double adaptive_samples = 5.0;  // a pixel, about
+// Seconds that it will take, from a coarse look: scenes differ a thousandfold.
+double estimate_seconds(const Prepared& prepared) {
+    constexpr int factor = 8;
+    constexpr double adaptive_samples = 6.0;  // a pixel, as costly as they are at edges
+    constexpr double overhead = 0.05;         // of writing the file
+    const RenderOptions& options = prepared.options;
     const double samples = options.adaptive ? adaptive_samples : static_cast<double>(options.ssaa) * options.ssaa;
-    return samples * options.width * options.height / std::min(options.threads, hardware_threads());
+    return overhead + render_preview(prepared, factor, &interrupt_flag()).statistics.seconds * factor * factor * samples;
 }
 
 RenderArguments read_options(const Figure& figure, const std::optional<int>& threads) {
@@ -133,7 +139,8 @@ std::optional<std::vector<Job>> prepare_all(const std::string& folder, const std
             if (!prepared) {
                 return std::nullopt;
             }
-            jobs.push_back({&figure, std::move(*prepared)});
+            const double seconds = estimate_seconds(*prepared);
+            jobs.push_back({&figure, std::move(*prepared), seconds});
         }
     }
     return jobs;
@@ -143,7 +150,7 @@ std::optional<std::vector<Job>> prepare_all(const std::string& folder, const std
 bool render_figure(const Job& job, const fs::path& folder, Overall& overall) {
     const Prepared& prepared = job.prepared;
     Film film(prepared.options.width, prepared.options.height);
-    overall.begin(work_of(prepared.options));
+    overall.begin(job.seconds);
     if (!render(*prepared.device, prepared.options, film, &overall, &interrupt_flag()).finished) {
         return false;
     }
@@ -198,14 +205,10 @@ int write_figures(const std::string& folder, const std::optional<int>& threads, 
 
     const Prepared& timed = jobs->front().prepared;
     const std::vector<int> counts = thread_counts(hardware_threads());
-    const auto timing_work = [&](int count) {
-        RenderOptions options = timed.options;
-        options.threads = count;
-        return work_of(options);
-    };
+    const auto timing_work = [&](int count) { return jobs->front().seconds * std::min(timed.options.threads, hardware_threads()) / count; };
     double total = 0.0;
     for (const Job& job : *jobs) {
-        total += work_of(job.prepared.options);
+        total += job.seconds;
     }
     for (const int count : counts) {
         total += tries * timing_work(count);

@@ -88,7 +88,8 @@ td, th { padding: 0 1rem 0 0; text-align: right; font-variant-numeric: tabular-n
 std::string figures_page(const std::vector<Timing>& timings) {
     std::string page = head;
     for (const FigureGroup& group : figure_table()) {
-        page += fmt::format("<section>\n<h2>{}</h2>\n<p>{}</p>\n<div>\n", html(group.title), html(group.text));
+        page += fmt::format("<section>\n<h2>{}</h2>\n{}<div>\n", html(group.title),
+                            group.text.empty() ? "" : fmt::format("<p>{}</p>\n", html(group.text)));
         for (const Figure& figure : group.figures) {
             page += figure_html(figure);
         }

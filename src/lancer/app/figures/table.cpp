@@ -11,9 +11,15 @@ Figure bounces(const std::string& number, const std::string& caption) {
     return {"bounces-" + number, caption, figure_1, {"--bounces", number}};
 }
 
+const Enlargement part_of_figure_1 = {470, 250, 80, 45, 8};
+
 Figure supersampling(const std::string& factor, const std::string& caption) {
     return {"ssaa-" + factor, caption, figure_1, {"--ssaa", factor}, Enlargement{385, 470, 80, 45, 8}};
 }
+
+Figure feature(const std::string& name, const std::string& caption) { return {name, caption, "scenes/features/" + name + ".toml", {}}; }
+
+Figure gallery(const std::string& name, const std::string& caption) { return {name, caption, "scenes/gallery/" + name + ".toml", {}}; }
 
 std::vector<FigureGroup> make_table() {
     return {
@@ -44,12 +50,41 @@ std::vector<FigureGroup> make_table() {
         {"Adaptive anti-aliasing",
          "A pixel is subdivided where its corners differ, and its parts again, where they still do. The map shows the "
          "samples that each pixel took: the brighter, the more.",
-         {{"adaptive",
-           "Figure 1 with the samples where they matter.",
-           figure_1,
-           {"--aa", "adaptive"},
-           Enlargement{385, 470, 80, 45, 8},
-           true}}},
+         {{"figure-1-adaptive", "Figure 1 with the samples where they matter.", figure_1, {"--aa", "adaptive"}, part_of_figure_1, true},
+          {"adaptive", "A mirror, a knot and a checkered floor.", "scenes/features/adaptive.toml", {}, std::nullopt, true}}},
+        {"Shapes",
+         "What scenes are made of.",
+         {feature("sphere", "Spheres."), feature("box", "Boxes."), feature("plane", "Planes."), feature("disk", "Disks."),
+          feature("cylinder", "Cylinders."), feature("cone", "Cones, whole and truncated."),
+          feature("mesh-inline", "Meshes written in the scene."), feature("mesh-obj", "Meshes from OBJ files."),
+          feature("mesh-ply", "Meshes from PLY files.")}},
+        {"Transforms and groups",
+         "Every shape can be scaled, rotated and moved; groups are placed as often as wanted.",
+         {feature("transforms", "Scaled, rotated, moved, mirrored."), feature("groups", "A column made once, a temple made of it.")}},
+        {"Materials and textures",
+         "",
+         {feature("materials", "From above: ambient, diffuse, highlight, shininess, reflectivity, growing from left to right."),
+          feature("checker", "Checkers, in space and on the surface."), feature("image-texture", "A picture on each shape."),
+          feature("texture-options", "Repeated, clamped, mirrored; smooth and not; moved.")}},
+        {"Lights and background",
+         "",
+         {feature("light-point", "A point light."), feature("light-spot", "Spot lights."),
+          feature("light-directional", "A directional light."),
+          feature("background", "A gradient behind everything, seen in every mirror.")}},
+        {"Refraction",
+         "At each surface light is reflected and refracted, as Fresnel says; inside, colours fade with the depth.",
+         {feature("transparency", "More and more transparent; behind: other refractive indices."),
+          feature("glass-spheres", "A full ball of glass, a hollow one, one of water, and a box."),
+          feature("nested-glass", "Glass in glass: water in a tumbler, bubbles of air."),
+          feature("absorption", "Green glass, thin and thick.")}},
+        {"Dispersion",
+         "The refractive index depends on the wavelength: white light comes apart into its colours.",
+         {feature("prism", "A bar of white light seen through a prism."), feature("glasses", "Four glasses, four spectra."),
+          feature("dispersion", "The fire of cut stones.")}},
+        {"Gallery",
+         "All together.",
+         {gallery("chess", "An endgame of glass and wood."), gallery("glassware", "Red wine, water, a marble and a paperweight."),
+          gallery("city", "A city at dusk: 415 towers from six groups."), gallery("sphereflake", "7381 balls from five short groups.")}},
     };
 }
 
