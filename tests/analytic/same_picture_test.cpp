@@ -278,7 +278,7 @@ TEST(EqualDistances, KindsHaveTheirOrder) {
 // ---- Meshes ----------------------------------------------------------------------------------------------------------------------
 
 // A bumpy globe in the tree, against the scalar kernel that asks each of its triangles.
-TEST(SamePicture, OfALargeMesh) {
+void expect_mesh_is_met_as_its_triangles(double from_origin, int allowed) {
     Dice dice(84);
     auto mesh = std::make_shared<scene::TriangleMesh>();
     const unsigned rings = 24, sectors = 48;
@@ -302,11 +302,13 @@ TEST(SamePicture, OfALargeMesh) {
     world.scene.settings.bounces = 3;
     scene::WhittedMaterial shiny;
     shiny.reflectivity = 0.5;
-    world.add(scene::Mesh{mesh, true}, world.add(shiny),
-              glm::scale(glm::rotate(glm::dmat4(1.0), 0.4, glm::dvec3(1, 0, 0)), glm::dvec3(3.0, 2.5, 2.0)));
+    const glm::dvec3 shift = from_origin * glm::dvec3(0.6, 0.0, 0.8);
+    const glm::dmat4 turned = glm::rotate(glm::translate(glm::dmat4(1.0), shift), 0.4, glm::dvec3(1, 0, 0));
+    world.add(scene::Mesh{mesh, true}, world.add(shiny), glm::scale(turned, glm::dvec3(3.0, 2.5, 2.0)));
     world.add(scene::Plane{{0, -2, 0}, {0, 1, 0}}, world.add(matte()));
-    world.add_light(scene::PointLight{{4, 6, 8}}, 0.8);
-    const int size = 96;
+    world.add_light(scene::PointLight{shift + glm::dvec3(4, 6, 8)}, 0.8);
+    world.look(shift + glm::dvec3(0, 0, 5), {0, 0, -1});
+    const int size = 64;
     world.scene.settings.width = size;
     world.scene.settings.height = size;
 
@@ -348,12 +350,17 @@ TEST(SamePicture, OfALargeMesh) {
     Picture first;
     for (const Way& way : all_ways()) {
         const Picture picture = world.picture(size, way.options);
-        // On an edge the tree may name the other triangle.
-        EXPECT_LE(pixels_that_differ(picture, reference), size * size / 1000) << way.name;
+        EXPECT_LE(pixels_that_differ(picture, reference), allowed) << way.name;
         first = first.empty() ? picture : first;
         EXPECT_EQ(pixels_that_differ(picture, first), 0) << way.name;
     }
 }
+
+TEST(SamePicture, OfALargeMesh) { expect_mesh_is_met_as_its_triangles(0.0, 0); }
+
+// The tree moves the ray into the mesh's own space, where it rounds otherwise: on an edge it may name the other triangle. No surface is met by
+// the rays that leave it.
+TEST(SamePicture, OfALargeMeshFarAway) { expect_mesh_is_met_as_its_triangles(5000.0, 64 * 64 / 100); }
 
 }  // namespace
 }  // namespace lancer::tests
