@@ -4,10 +4,10 @@
 // million times.
 #include "lancer/kernel/random.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
