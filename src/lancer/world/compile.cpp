@@ -1,5 +1,6 @@
 #include "lancer/world/compile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -17,7 +18,17 @@ namespace {
 
 kernel::vec3 to_float(const glm::dvec3& v) { return kernel::vec3(v); }
 
-kernel::CameraRecord compile_camera(const scene::Camera& camera, int width, int height) {
+kernel::CameraRecord compile_camera(const scene::Camera& camera, int width, int height, Diagnostics& diagnostics) {
+    if (width < 1 || height < 1) {
+        diagnostics.error(camera.source,
+                          "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels can't be made");
+    }
+    if (!(camera.fov > 0.0 && camera.fov < 180.0)) {
+        diagnostics.error(camera.source, "the camera's field of view must lie between 0 and 180 degrees");
+    }
+    if (!(glm::length(glm::cross(camera.direction, camera.up)) > 0.0)) {
+        diagnostics.error(camera.source, "the camera must look somewhere, and \"up\" must not point along its view");
+    }
     const glm::dvec3 forward = glm::normalize(camera.direction);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
     const glm::dvec3 down = -glm::cross(right, forward);
@@ -55,17 +66,24 @@ kernel::LightRecord compile_light(const scene::Light& light) {
 std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scene::Camera& camera, Diagnostics& diagnostics) {
     auto world = std::make_shared<World>();
     if (scene.settings.bounces < 0 || scene.settings.bounces > kernel::MAX_BOUNCES) {
-        diagnostics.error({scene.file, 0, 0}, std::to_string(scene.settings.bounces) + " bounces: expected 0 to " + std::to_string(kernel::MAX_BOUNCES));
+        diagnostics.error({scene.file, 0, 0},
+                          std::to_string(scene.settings.bounces) + " bounces: expected 0 to " + std::to_string(kernel::MAX_BOUNCES));
+    }
+    if (scene.settings.wavelengths < 1) {
+        diagnostics.error({scene.file, 0, 0}, std::to_string(scene.settings.wavelengths) + " wavelengths: expected 1 or more");
     }
     world->bounces = scene.settings.bounces;
     world->min_weight = static_cast<float>(scene.settings.min_weight);
-    world->camera = compile_camera(camera, scene.settings.width, scene.settings.height);
+    world->camera = compile_camera(camera, scene.settings.width, scene.settings.height, diagnostics);
     world->ambient = to_float(scene.ambient);
     world->zenith = to_float(scene.background.zenith);
     world->horizon = to_float(scene.background.horizon);
     world->nadir = to_float(scene.background.nadir);
     for (const scene::Light& light : scene.lights) {
         world->lights.push_back(compile_light(light));
+    }
+    if (diagnostics.has_errors()) {
+        return nullptr;
     }
     compile_materials(scene, *world, diagnostics);
     compile_shapes(flatten(scene), *world, diagnostics);

@@ -1,5 +1,6 @@
 #include "lancer/world/shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -104,24 +105,41 @@ private:
         return world_.materials[static_cast<std::size_t>(flat.material)].texture >= 0 && !is_identity(flat.to_world);
     }
 
+    // Readers refuse such shapes with better words; a scene may have been made by other means.
+    bool has_extent(double size, const FlatObject& flat) {
+        const bool good = std::isfinite(size) && size > 0.0;
+        if (!good) {
+            diagnostics_.error(flat.object->position, "this shape has no extent, or one without end");
+        }
+        return good;
+    }
+
     template <class T>
     void add_record(std::vector<T>& table, int kind, const T& record, int material) {
         by_kind_[kind].push_back({kind, static_cast<int>(table.size()), material, 0, 0, 0});
         table.push_back(record);
     }
 
-    void add_placed(int kind, const FlatObject& flat, const glm::dmat4& to_author, double bottom = 1.0, double top = 1.0, bool capped = true) {
+    void add_placed(int kind, const FlatObject& flat, const glm::dmat4& to_author, double bottom = 1.0, double top = 1.0,
+                    bool capped = true) {
         const glm::dmat4 to_world = flat.to_world * to_author;
-        kernel::PlacedRecord record{to_record(glm::inverse(to_world)), to_record(to_world),        to_record(to_author),
+        if (!has_extent(std::abs(glm::determinant(glm::dmat3(to_world))), flat)) {
+            return;
+        }
+        kernel::PlacedRecord record{to_record(glm::inverse(to_world)), to_record(to_world),     to_record(to_author),
                                     static_cast<float>(bottom),        static_cast<float>(top), capped ? 1 : 0};
         add_record(world_.placed, kind, record, flat.material);
     }
 
     void add_shape(const scene::Sphere& sphere, const FlatObject& flat) {
         const double scale = similarity_scale(flat.to_world);
+        if (!has_extent(sphere.radius, flat)) {
+            return;
+        }
         if (scale > 0.0 && !keeps_own_space(flat)) {
             const glm::dvec3 center(flat.to_world * glm::dvec4(sphere.center, 1.0));
-            add_record(world_.spheres, kernel::OBJECT_SPHERE, {kernel::vec3(center), static_cast<float>(sphere.radius * scale)}, flat.material);
+            add_record(world_.spheres, kernel::OBJECT_SPHERE, {kernel::vec3(center), static_cast<float>(sphere.radius * scale)},
+                       flat.material);
         } else {
             const double r = sphere.radius;
             add_placed(kernel::OBJECT_PLACED_SPHERE, flat, from_columns({r, 0, 0}, {0, r, 0}, {0, 0, r}, sphere.center));
@@ -129,6 +147,10 @@ private:
     }
 
     void add_shape(const scene::Box& box, const FlatObject& flat) {
+        const glm::dvec3 size = box.max - box.min;
+        if (!has_extent(std::min({size.x, size.y, size.z}), flat)) {
+            return;
+        }
         if (is_axis_aligned(flat.to_world) && !keeps_own_space(flat)) {
             const glm::dvec3 a(flat.to_world * glm::dvec4(box.min, 1.0));
             const glm::dvec3 b(flat.to_world * glm::dvec4(box.max, 1.0));
@@ -140,6 +162,9 @@ private:
     }
 
     void add_shape(const scene::Plane& plane, const FlatObject& flat) {
+        if (!has_extent(glm::length(plane.normal), flat)) {
+            return;
+        }
         const glm::dmat3 normal_map = glm::transpose(glm::inverse(glm::dmat3(flat.to_world)));
         const glm::dvec3 normal = glm::normalize(normal_map * plane.normal);
         const glm::dvec3 point(flat.to_world * glm::dvec4(plane.point, 1.0));
@@ -150,19 +175,23 @@ private:
 
     void add_shape(const scene::Disk& disk, const FlatObject& flat) {
         const auto [x, z] = across(disk.normal);
-        add_placed(kernel::OBJECT_PLACED_DISK, flat, from_columns(x * disk.radius, glm::normalize(disk.normal), z * disk.radius, disk.center));
+        add_placed(kernel::OBJECT_PLACED_DISK, flat,
+                   from_columns(x * disk.radius, glm::normalize(disk.normal), z * disk.radius, disk.center));
     }
 
     void add_shape(const scene::Cylinder& cylinder, const FlatObject& flat) {
         add_cone(cylinder.from, cylinder.to, cylinder.radius, cylinder.radius, cylinder.capped, flat);
     }
 
-    void add_shape(const scene::Cone& cone, const FlatObject& flat) { add_cone(cone.from, cone.to, cone.radius, cone.top_radius, cone.capped, flat); }
+    void add_shape(const scene::Cone& cone, const FlatObject& flat) {
+        add_cone(cone.from, cone.to, cone.radius, cone.top_radius, cone.capped, flat);
+    }
 
     void add_cone(const glm::dvec3& from, const glm::dvec3& to, double radius, double top_radius, bool capped, const FlatObject& flat) {
         const auto [x, z] = across(to - from);
         const double unit = std::max(radius, top_radius);
-        add_placed(kernel::OBJECT_PLACED_CONE, flat, from_columns(x * unit, to - from, z * unit, from), radius / unit, top_radius / unit, capped);
+        add_placed(kernel::OBJECT_PLACED_CONE, flat, from_columns(x * unit, to - from, z * unit, from), radius / unit, top_radius / unit,
+                   capped);
     }
 
     void add_shape(const scene::Mesh& mesh, const FlatObject& flat) {
@@ -207,7 +236,8 @@ private:
         }
         world_.indices.reserve(world_.indices.size() + 3 * data.triangles.size());
         for (const glm::uvec3& triangle : data.triangles) {
-            world_.indices.insert(world_.indices.end(), {static_cast<int>(triangle.x), static_cast<int>(triangle.y), static_cast<int>(triangle.z)});
+            world_.indices.insert(world_.indices.end(),
+                                  {static_cast<int>(triangle.x), static_cast<int>(triangle.y), static_cast<int>(triangle.z)});
         }
         const int number = static_cast<int>(world_.meshes.size());
         world_.meshes.push_back(record);
@@ -227,7 +257,8 @@ private:
         };
         for (int i = 0; i < mesh.triangle_count; ++i) {
             by_kind_[kernel::OBJECT_TRIANGLE].push_back({kernel::OBJECT_TRIANGLE, static_cast<int>(world_.triangles.size()),
-                                                         instance_materials_[static_cast<std::size_t>(instance)], placed.mesh, instance, i});
+                                                         instance_materials_[static_cast<std::size_t>(instance)], placed.mesh, instance,
+                                                         i});
             world_.triangles.push_back({corner(i, 0), corner(i, 1), corner(i, 2)});
         }
     }

@@ -1,8 +1,8 @@
 #include "lancer/device/cpu/cpu.h"
 
+#include <xmmintrin.h>
 #include <optional>
 #include <utility>
-#include <xmmintrin.h>
 
 #include <fmt/format.h>
 
@@ -30,9 +30,7 @@ class CpuDevice : public Device {
 public:
     CpuDevice(std::shared_ptr<const World> world, const CpuVariant& variant, const CpuOptions& options)
         : world_(std::move(world)), variant_(variant), record_(world_->record()) {
-        const bool small = options.tracer == Tracer::automatic ? world_->is_small() : options.tracer == Tracer::all_objects;
-        const bool has_instances = !world_->objects.empty() && world_->objects.back().kind == kernel::OBJECT_MESH;
-        if (!small || has_instances) {
+        if (options.tracer == Tracer::tree || !world_->is_small()) {
             tree_.emplace(*world_, options.threads);
             record_.tree = tree_->address();
         }

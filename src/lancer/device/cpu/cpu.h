@@ -20,8 +20,8 @@ struct CpuOptions {
     int threads = 0;  // for building the tree; 0: all
 };
 
-// Throws MachineFailure where the processor lacks the lanes asked for or memory runs out. `all_objects` is not possible with large meshes:
-// the tree is used then.
+// Throws MachineFailure where the processor lacks the lanes asked for or memory runs out. `all_objects` is only possible in worlds that are small
+// (World::is_small): the tree is used in others.
 std::unique_ptr<Device> make_cpu_device(std::shared_ptr<const World> world, const CpuOptions& options = {});
 
 }  // namespace lancer
