@@ -174,7 +174,9 @@ scene::Mesh triangles(int count) {
     for (int i = 0; i < count; ++i) {
         const auto first = static_cast<unsigned>(3 * i);
         const auto z = static_cast<float>(i);
-        mesh->positions.insert(mesh->positions.end(), {{0, 0, z}, {1, 0, z}, {0, 1, z}});
+        mesh->positions.emplace_back(0.0f, 0.0f, z);
+        mesh->positions.emplace_back(1.0f, 0.0f, z);
+        mesh->positions.emplace_back(0.0f, 1.0f, z);
         mesh->triangles.emplace_back(first, first + 1, first + 2);
     }
     return {mesh, true};
