@@ -11,14 +11,9 @@
 #include <thread>
 #include <vector>
 
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
-
 #include "lancer/film/display.h"
 #include "lancer/render/adaptive.h"
+#include "lancer/render/threads.h"
 #include "lancer/render/uniform.h"
 
 namespace lancer {
@@ -149,18 +144,7 @@ RenderStatistics render(const Device& device, const RenderOptions& options, Film
 
     Work work(device, options, film, observer, cancel);
     const int threads = options.threads > 0 ? options.threads : hardware_threads();
-    if (threads == 1) {
-        work.take_tiles();
-    } else {
-        // TBB gives no more threads than the machine has unless it is told to.
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-        tbb::task_arena arena(threads);
-        arena.execute([&] {
-            tbb::parallel_for(
-                tbb::blocked_range<int>(0, threads, 1), [&](const tbb::blocked_range<int>&) { work.take_tiles(); },
-                tbb::simple_partitioner());
-        });
-    }
+    run_on_threads(threads, [&] { work.take_tiles(); });
     RenderStatistics result = work.statistics();
     result.threads = threads;
     return result;

@@ -27,7 +27,7 @@ struct Figure {
 
 struct FigureGroup {
     std::string title;
-    std::string text;  // a sentence or two
+    std::string text;  // a sentence or two, or none
     std::vector<Figure> figures;
 };
 
