@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <regex>
+#include <functional>
 #include <sstream>
 
 #include "lancer/import/toml/notation.h"
@@ -45,6 +45,11 @@ private:
                                    : false;
     }
 
+    static bool is_hexadecimal_color(const std::string& text) {
+        return (text.size() == 4 || text.size() == 7) && text[0] == '#' &&
+               text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+    }
+
     bool holds_word(const Json& s, const std::string& word, const Json& rule, const Json& value) {
         if (word == "$schema" || word == "title" || word == "description" || word == "$defs" || word == "default") {
             return true;
@@ -65,7 +70,8 @@ private:
             return holds(schema().at(Json::json_pointer(rule.get<std::string>().substr(1))), value);
         }
         if (word == "pattern") {
-            return !value.is_string() || std::regex_search(value.get<std::string>(), std::regex(rule.get<std::string>()));
+            EXPECT_EQ(rule, "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$") << "the only one that this test knows";
+            return !value.is_string() || is_hexadecimal_color(value);
         }
         if (word == "minLength") {
             return !value.is_string() || value.get<std::string>().size() >= rule;
