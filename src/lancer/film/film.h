@@ -13,7 +13,7 @@ struct Film {
     int width = 0;
     int height = 0;
     std::vector<glm::vec3> radiance;     // linear RGB, the mean of the pixel's samples
-    std::vector<std::uint32_t> samples;  // camera samples spent on the pixel; 0 = not rendered yet
+    std::vector<std::uint32_t> samples;  // camera samples that lie in the pixel; 0 = not rendered yet
 
     Film() = default;
     Film(int width_, int height_)

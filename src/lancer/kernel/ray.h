@@ -26,11 +26,11 @@ struct Hit {
 // The geometry of the point that was hit, in world space.
 struct SurfacePoint {
     Vec3 position;
-    Vec3 error;    // bound of how far rounding put `position` off the surface, each coordinate; how far along it is not counted
-    Vec3 normal;   // of the surface itself, outwards, length 1
-    Vec3 shading;  // smooth normal, on the side of `normal`, length 1
-    Vec3 local;    // position in the author's space of the object, for solid textures
-    Vec3 local_in; // into the body there, about length 1: what lies under the point
+    Vec3 error;     // bound of how far rounding put `position` off the surface, each coordinate; how far along it is not counted
+    Vec3 normal;    // of the surface itself, outwards, length 1
+    Vec3 shading;   // smooth normal, on the side of `normal`, length 1
+    Vec3 local;     // position in the author's space of the object, for solid textures
+    Vec3 local_in;  // into the body there, about length 1: what lies under the point
     Vec2 uv;
 };
 

@@ -9,15 +9,15 @@ RECORDS_BEGIN
 
 // ---- Objects. Each kind has its table; objects are numbered through all tables in the order of the kinds. ---------------------------
 
-const int OBJECT_SPHERE = 0;          // spheres[i], in world space
-const int OBJECT_BOX = 1;             // boxes[i], axis-aligned in world space
-const int OBJECT_PLANE = 2;           // planes[i]
-const int OBJECT_PLACED_SPHERE = 3;   // placed[i]: unit sphere at the origin
-const int OBJECT_PLACED_BOX = 4;      // placed[i]: the cube from -1 to 1
-const int OBJECT_PLACED_DISK = 5;     // placed[i]: unit disk in y = 0, facing +y
-const int OBJECT_PLACED_CONE = 6;     // placed[i]: around the y axis from y = 0 (radius bottom) to y = 1 (radius top), maybe capped
-const int OBJECT_TRIANGLE = 7;        // triangles[i], of small meshes, in world space
-const int OBJECT_MESH = 8;            // instances[i]
+const int OBJECT_SPHERE = 0;         // spheres[i], in world space
+const int OBJECT_BOX = 1;            // boxes[i], axis-aligned in world space
+const int OBJECT_PLANE = 2;          // planes[i]
+const int OBJECT_PLACED_SPHERE = 3;  // placed[i]: unit sphere at the origin
+const int OBJECT_PLACED_BOX = 4;     // placed[i]: the cube from -1 to 1
+const int OBJECT_PLACED_DISK = 5;    // placed[i]: unit disk in y = 0, facing +y
+const int OBJECT_PLACED_CONE = 6;    // placed[i]: around the y axis from y = 0 (radius bottom) to y = 1 (radius top), maybe capped
+const int OBJECT_TRIANGLE = 7;       // triangles[i], of small meshes, in world space
+const int OBJECT_MESH = 8;           // instances[i]
 
 struct SphereRecord {
     vec3 center;
@@ -28,7 +28,6 @@ struct BoxRecord {
     vec3 low;
     vec3 high;
 };
-
 
 // An affine map by its rows: (x, y, z) -> row_i . (x, y, z) + shift_i.
 struct AffineRecord {
@@ -81,7 +80,7 @@ struct InstanceRecord {
 
 struct ObjectRecord {
     int kind;
-    int index;     // into the table of its kind
+    int index;  // into the table of its kind
     int material;
     int mesh;      // OBJECT_TRIANGLE: the mesh it comes from, and its number there in `sub`; else 0
     int instance;  // OBJECT_TRIANGLE: the instance it comes from
@@ -198,7 +197,7 @@ struct WorldRecord {
     WhittedTable materials;
     LightTable lights;
     BandTable bands;
-    IntTable tree;  // the device's own search tree, opaque; null where every object is tested against every ray
+    IntTable tree;       // the device's own search tree, opaque; null where every object is tested against every ray
     FloatTable bound_x;  // a sphere around each object of a small world, coordinate by coordinate; planes have an infinite radius
     FloatTable bound_y;
     FloatTable bound_z;

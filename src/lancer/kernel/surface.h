@@ -66,7 +66,8 @@ FN SurfacePoint mesh_surface(IN(WorldRecord) world, int instance_index, Int part
     s.local = local_a * w + local_b * u + local_c * v;
     s.local_in = -normalize(cross(local_b - local_a, local_c - local_a));
     if ((mesh.flags & MESH_HAS_NORMALS) != 0) {
-        Vec3 n = gather_vec3(world.normals, i, mask) * w + gather_vec3(world.normals, j, mask) * u + gather_vec3(world.normals, k, mask) * v;
+        Vec3 n =
+            gather_vec3(world.normals, i, mask) * w + gather_vec3(world.normals, j, mask) * u + gather_vec3(world.normals, k, mask) * v;
         n = apply_transposed(instance.to_object, n);
         Float size = dot(n, n);
         n = n / sqrt(max(size, Float(SMALLEST)));

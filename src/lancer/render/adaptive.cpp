@@ -63,7 +63,10 @@ bool AdaptiveSampler::want(int x, int y) {
     corners_.push_back({{x, y}, glm::vec3(0.0f)});
     index = static_cast<std::uint32_t>(corners_.size());
 
-    ++samples_[pixel_of(x, y)];  // a sample counts for the pixel it lies in
+    // A sample counts for the pixel it lies in: on the far borders of the tile, that is none of ours.
+    if (x >> depth_ < tile_.width() && y >> depth_ < tile_.height()) {
+        ++samples_[pixel_of(x, y)];
+    }
     return true;
 }
 

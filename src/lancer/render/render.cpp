@@ -52,13 +52,12 @@ public:
                 break;
             }
             const Tile& tile = tiles_[next];
+            const std::uint64_t samples_before = counts.camera;
             if (!sampler->render_tile(tile, film_, counts, cancel_)) {
                 break;
             }
-            std::uint64_t tile_samples = 0;
             for (int y = tile.y0; y < tile.y1; ++y) {
                 for (std::size_t i = film_.index(tile.x0, y); i < film_.index(tile.x0, y) + static_cast<std::size_t>(tile.width()); ++i) {
-                    tile_samples += film_.samples[i];
                     const glm::vec3& c = film_.radiance[i];
                     if (!(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z))) {
                         ++bad;
@@ -66,7 +65,7 @@ public:
                     }
                 }
             }
-            tell(tile, tile_samples);
+            tell(tile, counts.camera - samples_before);
         }
         const std::scoped_lock lock(mutex_);
         counts_ += counts;

@@ -175,8 +175,8 @@ struct PointLight {
 struct SpotLight {
     glm::dvec3 position{0.0};
     glm::dvec3 direction{0.0, -1.0, 0.0};
-    double angle = 30.0;    // degrees from the axis to where the light ends
-    double falloff = 5.0;   // degrees over which it fades, measured inwards from `angle`
+    double angle = 30.0;   // degrees from the axis to where the light ends
+    double falloff = 5.0;  // degrees over which it fades, measured inwards from `angle`
 };
 
 struct DirectionalLight {
@@ -231,8 +231,8 @@ struct RenderSettings {
 };
 
 struct Scene {
-    std::string file;  // as named by the user
-    std::string hash;  // hexadecimal, over the scene file and everything it reads
+    std::string file;             // as named by the user
+    std::string hash;             // hexadecimal, over the scene file and everything it reads
     std::vector<Camera> cameras;  // at least one
     std::vector<Material> materials;
     std::vector<Group> groups;  // a group comes after every group it places

@@ -27,7 +27,8 @@ struct Texels {
 
 class Materials {
 public:
-    Materials(const scene::Scene& scene, World& world, Diagnostics& diagnostics) : scene_(scene), world_(world), diagnostics_(diagnostics) {}
+    Materials(const scene::Scene& scene, World& world, Diagnostics& diagnostics)
+        : scene_(scene), world_(world), diagnostics_(diagnostics) {}
 
     void compile() {
         bool disperses = false;
@@ -162,6 +163,8 @@ private:
 
 }  // namespace
 
-void compile_materials(const scene::Scene& scene, World& world, Diagnostics& diagnostics) { Materials(scene, world, diagnostics).compile(); }
+void compile_materials(const scene::Scene& scene, World& world, Diagnostics& diagnostics) {
+    Materials(scene, world, diagnostics).compile();
+}
 
 }  // namespace lancer

@@ -56,9 +56,9 @@ kernel::WorldRecord World::record() const {
 }
 
 std::size_t World::memory() const {
-    return bytes(spheres) + bytes(boxes) + bytes(planes) + bytes(placed) + bytes(triangles) + bytes(meshes) + bytes(instances) + bytes(objects) +
-           bytes(positions) + bytes(normals) + bytes(uvs) + bytes(indices) + bytes(textures) + bytes(texels) + bytes(materials) + bytes(lights) +
-           bytes(bands);
+    return bytes(spheres) + bytes(boxes) + bytes(planes) + bytes(placed) + bytes(triangles) + bytes(meshes) + bytes(instances) +
+           bytes(objects) + bytes(positions) + bytes(normals) + bytes(uvs) + bytes(indices) + bytes(textures) + bytes(texels) +
+           bytes(materials) + bytes(lights) + bytes(bands);
 }
 
 bool World::is_small() const {

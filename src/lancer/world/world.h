@@ -27,8 +27,8 @@ public:
     std::vector<kernel::InstanceRecord> instances;
     std::vector<kernel::ObjectRecord> objects;
     std::vector<kernel::vec3> positions;  // and one more at the end, which no triangle uses
-    std::vector<kernel::vec3> normals;  // as long as positions where any mesh has normals
-    std::vector<kernel::vec2> uvs;      // as long as positions where any mesh has texture coordinates
+    std::vector<kernel::vec3> normals;    // as long as positions where any mesh has normals
+    std::vector<kernel::vec2> uvs;        // as long as positions where any mesh has texture coordinates
     std::vector<int> indices;
     std::vector<kernel::TextureRecord> textures;
     std::vector<kernel::vec3> texels;

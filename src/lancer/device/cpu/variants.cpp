@@ -2,9 +2,9 @@
 
 namespace lancer {
 
-#define LANCER_DECLARE(isa)                                                                                                              \
-    namespace kernel_##isa {                                                                                                             \
-    void follow_whitted_##isa(const kernel::WorldRecord&, const glm::vec2*, glm::vec3*, std::size_t, RayCounts&);                        \
+#define LANCER_DECLARE(isa)                                                                                           \
+    namespace kernel_##isa {                                                                                          \
+        void follow_whitted_##isa(const kernel::WorldRecord&, const glm::vec2*, glm::vec3*, std::size_t, RayCounts&); \
     }
 LANCER_DECLARE(sse4_2)
 LANCER_DECLARE(avx2)
@@ -17,8 +17,8 @@ const CpuVariant* find_cpu_variant(int lanes) {
     static constexpr CpuVariant sse4{"SSE4.2", 4, kernel_sse4_2::follow_whitted_sse4_2};
     const bool has_avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
                             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-    const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
-                          __builtin_cpu_supports("fma");
+    const bool has_avx2 =
+        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
     if (has_avx512 && (lanes == 0 || lanes == 16)) {
         return &avx512;
     }
