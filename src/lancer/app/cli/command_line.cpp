@@ -139,7 +139,12 @@ int run_command_line(const std::vector<std::string>& words) {
     if (work) {
         return render_all || threads ? refuse("--threads and --render-all go after the subcommand, or stand without one", program) : work();
     }
-    return render_all ? write_figures("figures", threads, {}, false) : show_default_scene(threads);
+    if (render_all) {
+        FiguresRequest request;
+        request.threads = threads;
+        return write_figures(request);
+    }
+    return show_default_scene(threads);
 }
 
 }  // namespace lancer::app

@@ -11,22 +11,18 @@
 namespace lancer::app {
 
 void add_figures(CLI::App& program, Work& work) {
-    struct Arguments {
-        std::string folder = "figures";
-        std::optional<int> threads;
-        std::optional<std::string> progress;
-        bool quiet = false;
-    };
     CLI::App* app = program.add_subcommand("figures", "Write every figure of the report, made anew, and a page that shows them");
-    const auto arguments = std::make_shared<Arguments>();
-    app->add_option("FOLDER", arguments->folder, "Where they go; made where it is missing")->type_name("")->capture_default_str();
-    add_threads_option(*app, arguments->threads);
-    add_choice(*app, "--progress", arguments->progress, {"bar", "plain", "json"}, "How progress is told, on standard error");
-    app->add_flag("--quiet", arguments->quiet, "Say nothing but warnings and errors");
-    app->footer("Example:\n  lancer figures figures");
-    app->callback([arguments, &work] {
-        work = [arguments] { return write_figures(arguments->folder, arguments->threads, arguments->progress, arguments->quiet); };
-    });
+    const auto request = std::make_shared<FiguresRequest>();
+    app->add_option("FOLDER", request->folder, "Where they go; made where it is missing")->type_name("")->capture_default_str();
+    add_threads_option(*app, request->threads);
+    add_choice(*app, "--progress", request->progress, {"bar", "plain", "json"}, "How progress is told, on standard error");
+    app->add_flag("--quiet", request->quiet, "Say nothing but warnings and errors");
+    app->add_option("--only", request->only, "Only these figures, by the names of their files; \"threads\" is the speed-up")
+        ->type_name("NAME,NAME")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    app->footer("Example:\n  lancer figures figures --only figure-1,prism,threads");
+    app->callback([request, &work] { work = [request] { return write_figures(*request); }; });
 }
 
 }  // namespace lancer::app

@@ -35,6 +35,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int tries = 3;  // of each timing
+constexpr const char* speedup_id = "threads";
 
 // How far the whole is, in seconds of work that were estimated beforehand.
 class Overall : public RenderObserver {
@@ -125,22 +126,53 @@ Film enlarge(const Film& film, const Enlargement& part) {
     return result;
 }
 
-std::optional<std::vector<Job>> prepare_all(const std::string& folder, const std::optional<int>& threads, Diagnostics& diagnostics) {
+bool is_wanted(const FiguresRequest& request, const std::string& id) {
+    return request.only.empty() || std::find(request.only.begin(), request.only.end(), id) != request.only.end();
+}
+
+void check_names(const std::vector<std::string>& names, Diagnostics& diagnostics) {
+    std::vector<std::string> known = {speedup_id};
+    for (const FigureGroup& group : figure_table()) {
+        for (const Figure& figure : group.figures) {
+            known.push_back(figure.id);
+        }
+    }
+    for (const std::string& name : names) {
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            const std::string hint = did_you_mean(name, known);
+            diagnostics.error({}, fmt::format("--only: there is no figure \"{}\"{}; there are {}", name, hint.empty() ? "" : ":" + hint,
+                                              fmt::join(known, ", ")));
+        }
+    }
+}
+
+// Null when there are errors.
+std::optional<Job> prepare_figure(const Figure& figure, const FiguresRequest& request, Diagnostics& diagnostics) {
+    const RenderArguments arguments = read_options(figure, request.threads);
+    std::optional<scene::Scene> scene = import_scene((fs::path(request.folder) / figure.scene).string(), diagnostics);
+    if (!scene) {
+        return std::nullopt;
+    }
+    scene->file = figure.scene;  // what stands in the pictures does not depend on the folder
+    std::optional<Prepared> prepared = prepare(std::move(*scene), arguments, render_command(figure.scene, arguments), diagnostics);
+    if (!prepared) {
+        return std::nullopt;
+    }
+    const double seconds = estimate_seconds(*prepared);
+    return Job{&figure, std::move(*prepared), seconds};
+}
+
+std::optional<std::vector<Job>> prepare_all(const FiguresRequest& request, Diagnostics& diagnostics) {
     std::vector<Job> jobs;
     for (const FigureGroup& group : figure_table()) {
         for (const Figure& figure : group.figures) {
-            const RenderArguments arguments = read_options(figure, threads);
-            std::optional<scene::Scene> scene = import_scene((fs::path(folder) / figure.scene).string(), diagnostics);
-            if (!scene) {
-                return std::nullopt;
+            if (is_wanted(request, figure.id)) {
+                std::optional<Job> job = prepare_figure(figure, request, diagnostics);
+                if (!job) {
+                    return std::nullopt;
+                }
+                jobs.push_back(std::move(*job));
             }
-            scene->file = figure.scene;  // what stands in the pictures does not depend on the folder
-            std::optional<Prepared> prepared = prepare(std::move(*scene), arguments, render_command(figure.scene, arguments), diagnostics);
-            if (!prepared) {
-                return std::nullopt;
-            }
-            const double seconds = estimate_seconds(*prepared);
-            jobs.push_back({&figure, std::move(*prepared), seconds});
         }
     }
     return jobs;
@@ -184,57 +216,68 @@ std::string figure_command(const Figure& figure) {
     return shell_quoted(words);
 }
 
-int write_figures(const std::string& folder, const std::optional<int>& threads, const std::optional<std::string>& progress, bool quiet) {
+int write_figures(const FiguresRequest& request) {
     Diagnostics diagnostics;
-    check_folder(folder, diagnostics);
+    check_names(request.only, diagnostics);
+    check_folder(request.folder, diagnostics);
     if (diagnostics.has_errors()) {
         print_diagnostics(diagnostics);
         return exit_bad_input;
     }
-    const fs::path root(folder);
+    const fs::path root(request.folder);
     for (const EmbeddedFile& file : embedded_scenes()) {
         const fs::path path = root / file.path;
         make_folder(path.parent_path());
         replace_file(path.string(), file.bytes);
     }
-    const std::optional<std::vector<Job>> jobs = prepare_all(folder, threads, diagnostics);
+    const std::optional<std::vector<Job>> jobs = prepare_all(request, diagnostics);
+    std::optional<Job> timed;  // the first figure, which is Figure 1
+    if (is_wanted(request, speedup_id)) {
+        timed = prepare_figure(figure_table().front().figures.front(), request, diagnostics);
+    }
     print_diagnostics(diagnostics, true);
-    if (!jobs) {
+    if (diagnostics.has_errors()) {
         return exit_bad_input;
     }
 
-    const Prepared& timed = jobs->front().prepared;
-    const std::vector<int> counts = thread_counts(hardware_threads());
-    const auto timing_work = [&](int count) { return jobs->front().seconds * std::min(timed.options.threads, hardware_threads()) / count; };
+    const std::vector<int> counts = timed ? thread_counts(hardware_threads()) : std::vector<int>();
+    const auto timing_seconds = [&](int count) {
+        return timed->seconds * std::min(timed->prepared.options.threads, hardware_threads()) / count;
+    };
     double total = 0.0;
     for (const Job& job : *jobs) {
         total += job.seconds;
     }
     for (const int count : counts) {
-        total += tries * timing_work(count);
+        total += tries * timing_seconds(count);
     }
 
-    const ProgressStyle style = choose_progress(progress, quiet);
-    Overall overall(style, total);
+    Overall overall(choose_progress(request.progress, request.quiet), total);
     for (const Job& job : *jobs) {
         if (!render_figure(job, root, overall)) {
-            return stopped(overall, folder);
+            return stopped(overall, request.folder);
         }
     }
-    const std::vector<Timing> timings = time_threads(
-        timed, counts, tries, [&](int count) { overall.begin(timing_work(count)); }, interrupt_flag());
-    if (timings.size() < counts.size()) {
-        return stopped(overall, folder);
+    std::vector<Timing> timings;
+    if (timed) {
+        timings = time_threads(
+            timed->prepared, counts, tries, [&](int count) { overall.begin(timing_seconds(count)); }, interrupt_flag());
+        if (timings.size() < counts.size()) {
+            return stopped(overall, request.folder);
+        }
+        const Drawing plot = plot_speedup(timings);
+        replace_file((root / "threads.svg").string(), to_svg(plot));
+        write_image((root / "threads.png").string(), paint(plot), {{"Software", "lancer " LANCER_VERSION}});
     }
-    const Drawing plot = plot_speedup(timings);
-    replace_file((root / "threads.svg").string(), to_svg(plot));
-    write_image((root / "threads.png").string(), paint(plot), {{"Software", "lancer " LANCER_VERSION}});
-    replace_file((root / "index.html").string(), figures_page(timings));
+    replace_file((root / "index.html").string(),
+                 figures_page([&](const Figure& figure) { return is_wanted(request, figure.id); }, timings));
 
     const double seconds = overall.seconds();
     overall.clear();
-    if (!quiet) {
-        fmt::print("{} figures written in {}: open {}\n", jobs->size() + 1, in_words(seconds), (root / "index.html").string());
+    if (!request.quiet) {
+        const std::size_t count = jobs->size() + (timed ? 1 : 0);
+        fmt::print("{} {} written in {}: open {}\n", count, count == 1 ? "figure" : "figures", in_words(seconds),
+                   (root / "index.html").string());
     }
     return exit_done;
 }

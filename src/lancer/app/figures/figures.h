@@ -3,13 +3,22 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lancer/app/figures/table.h"
 
 namespace lancer::app {
 
-// Makes the folder where it is missing. Returns the exit status; throws MachineFailure.
-int write_figures(const std::string& folder, const std::optional<int>& threads, const std::optional<std::string>& progress, bool quiet);
+struct FiguresRequest {
+    std::string folder = "figures";  // made where it is missing
+    std::vector<std::string> only;   // by their ids, or "threads" for the speed-up; empty: all of them
+    std::optional<int> threads;
+    std::optional<std::string> progress;
+    bool quiet = false;
+};
+
+// Returns the exit status; throws MachineFailure.
+int write_figures(const FiguresRequest& request);
 
 // What makes the figure again in the folder of the figures.
 std::string figure_command(const Figure& figure);

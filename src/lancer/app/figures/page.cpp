@@ -85,15 +85,17 @@ td, th { padding: 0 1rem 0 0; text-align: right; font-variant-numeric: tabular-n
 
 }  // namespace
 
-std::string figures_page(const std::vector<Timing>& timings) {
+std::string figures_page(const std::function<bool(const Figure&)>& is_made, const std::vector<Timing>& timings) {
     std::string page = head;
     for (const FigureGroup& group : figure_table()) {
-        page += fmt::format("<section>\n<h2>{}</h2>\n{}<div>\n", html(group.title),
-                            group.text.empty() ? "" : fmt::format("<p>{}</p>\n", html(group.text)));
+        std::string figures;
         for (const Figure& figure : group.figures) {
-            page += figure_html(figure);
+            figures += is_made(figure) ? figure_html(figure) : "";
         }
-        page += "</div>\n</section>\n";
+        if (!figures.empty()) {
+            page += fmt::format("<section>\n<h2>{}</h2>\n{}<div>\n{}</div>\n</section>\n", html(group.title),
+                                group.text.empty() ? "" : fmt::format("<p>{}</p>\n", html(group.text)), figures);
+        }
     }
     if (!timings.empty()) {
         page += timings_html(timings);
