@@ -11,10 +11,10 @@ Figure bounces(const std::string& number, const std::string& caption) {
     return {"bounces-" + number, caption, figure_1, {"--bounces", number}};
 }
 
-const Enlargement part_of_figure_1 = {470, 250, 80, 45, 8};
+const Enlargement part_of_figure_1 = {385, 470, 80, 45, 8};
 
 Figure supersampling(const std::string& factor, const std::string& caption) {
-    return {"ssaa-" + factor, caption, figure_1, {"--ssaa", factor}, Enlargement{385, 470, 80, 45, 8}};
+    return {"ssaa-" + factor, caption, figure_1, {"--ssaa", factor}, part_of_figure_1};
 }
 
 Figure feature(const std::string& name, const std::string& caption) { return {name, caption, "scenes/features/" + name + ".toml", {}}; }
