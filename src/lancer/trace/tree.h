@@ -8,7 +8,8 @@
 namespace lancer {
 
 // Analytic shapes are met by the kernel's own functions, and the hit on a triangle is computed again by the kernel, so that a tree and a walk
-// through all objects give the same numbers. Planes have no bounds: each is tested against each ray.
+// through all objects give the same numbers. At the same distance the object with the smaller number is in front, and of a mesh its first
+// triangle, in whatever order the tree asks. Planes have no bounds: each is tested against each ray.
 class Tree {
 public:
     // Builds on `threads` threads, 0 for all. `world` must outlive the tree. Throws MachineFailure when memory runs out.
