@@ -1,5 +1,6 @@
 // lancer render SCENE -o out.png
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -125,6 +126,7 @@ int render_scene(const CLI::App& app, Arguments arguments) {
     if (const auto sentence = sort_files(arguments)) {
         return refuse(*sentence, app);
     }
+    const std::atomic<bool>& interrupted = interrupt_flag();
     // Whatever is wrong is said before anything is rendered or written.
     const std::string& file = arguments.files.front();
     Diagnostics diagnostics;
@@ -153,7 +155,7 @@ int render_scene(const CLI::App& app, Arguments arguments) {
     Film film(prepared->options.width, prepared->options.height);
     const ProgressStyle style = choose_progress(arguments.progress, arguments.quiet);
     RenderProgressPrinter printer(style, file);
-    const RenderStatistics done = render(*prepared->device, prepared->options, film, &printer, &interrupt_flag());
+    const RenderStatistics done = render(*prepared->device, prepared->options, film, &printer, &interrupted);
     printer.clear();
     times.render = done.seconds;
     if (done.bad_pixels > 0) {
