@@ -10,6 +10,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 const std::string camera_and_light = "[camera]\nposition = [0, 1, 5]\n[[light]]\ntype = \"point\"\nposition = [1, 5, 2]\n";  // lines 1 to 5
 const std::string sphere = "[[sphere]]\nradius = 1\n";
@@ -66,8 +67,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"infinite", camera_and_light + "[[sphere]]\nradius = inf\n", {"scene.toml:7:", "radius"}},
         BadScene{"deep_groups", deep_groups(100000), {"scene.toml:", "error"}},
         BadScene{"deep_arrays", nested_arrays(100000), {"scene.toml:", "error"}},
-        BadScene{"no_shape", camera_and_light, {"scene.toml", "shape"}}, BadScene{"not_toml", "this is not a scene\n", {"scene.toml:1:"}},
-        BadScene{"unfinished", "[camera\n", {"scene.toml:1:"}},
+        BadScene{"no_shape", camera_and_light, {"scene.toml", "shape"}},
+        BadScene{"no_light", "[camera]\nposition = [0, 1, 5]\n" + sphere, {"scene.toml: error: the scene is dark", "[[light]]"}},
+        BadScene{"not_toml", "this is not a scene\n", {"scene.toml:1:"}}, BadScene{"unfinished", "[camera\n", {"scene.toml:1:"}},
         BadScene{"missing_mesh", camera_and_light + "[[mesh]]\nfile = \"none.obj\"\n", {"scene.toml:7:", "none.obj"}},
         BadScene{"missing_image",
                  camera_and_light + sphere + "material = { color = { type = \"image\", file = \"none.png\" } }\n",
@@ -76,13 +78,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"too_many_bounces", "[render]\nbounces = 100000\n" + camera_and_light + sphere, {"scene.toml:2:", "bounces"}}),
     [](const auto& case_) { return case_.param.name; });
 
-TEST(BadScene, OneWithoutLightsIsDarkAndSaysSo) {
+TEST(BadScene, AnAmbientOrABackgroundIsLightEnough) {
     const Folder folder;
-    folder.write("scene.toml", "[render]\nsize = [40, 30]\n[camera]\nposition = [0, 1, 5]\n" + sphere);
-    const Finished finished = run_lancer(folder, {"render", "scene.toml", "-o", "picture.png"});
-    EXPECT_EQ(finished.status, 0);
-    EXPECT_THAT(finished.err, HasSubstr("scene.toml: warning: there is no [[light]]"));
-    EXPECT_TRUE(folder.has("picture.png"));
+    const std::string dark = "[camera]\nposition = [0, 1, 5]\n" + sphere;
+    for (const std::string light : {"ambient = 0.5\n", "background = \"#808080\"\n"}) {
+        folder.write("scene.toml", light + dark + "[render]\nsize = [40, 30]\n");
+        const Finished finished = run_lancer(folder, {"render", "scene.toml", "-o", "picture.png"});
+        EXPECT_EQ(finished.status, 0) << finished.err;
+        EXPECT_THAT(finished.err, Not(HasSubstr("warning")));
+    }
 }
 
 TEST(BadScene, SeveralMistakesAreToldAtOnce) {

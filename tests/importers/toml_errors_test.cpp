@@ -61,7 +61,7 @@ const Mistake whole_files[] = {
      "[camera]\n[[group]]\nname='g'\n[[group.sphere]]\n[[light]]\ntype='point'\nposition=[0,9,0]\n",
      {":2:1: warning: group \"g\" is never placed",
       ": error: there is nothing to see: the scene needs a shape, such as [[sphere]], or a [[place]] of a group with shapes"}},
-    {"NoLight", "[camera]\n[[sphere]]\n", {": warning: there is no [[light]]: only ambient light is seen"}},
+    {"NoLight", "[camera]\n[[sphere]]\n", {": error: the scene is dark: it needs a [[light]], a [background] or `ambient` light"}},
     {"UnknownTable", "[[spere]]\n" + rest, {":1:3: error: a scene has no \"spere\"; did you mean \"sphere\"?"}},
     {"UnknownOther",
      "[sky]\n" + rest,

@@ -119,8 +119,8 @@ TEST(Srgb, QuantisingIsTheRoundedCurve) {
 }
 
 TEST(Srgb, AlphaIsNotEncoded) {
-    const std::vector<std::uint8_t> bytes = quantise_srgb(Image{1, 1, 4, {0.5f, 0.5f, 0.5f, 0.5f}});
-    EXPECT_EQ(bytes, (std::vector<std::uint8_t>{188, 188, 188, 128}));
+    const ByteImage bytes = quantise_srgb(Image{1, 1, 4, {0.5f, 0.5f, 0.5f, 0.5f}});
+    EXPECT_EQ(bytes.pixels, (std::vector<std::uint8_t>{188, 188, 188, 128}));
 }
 
 TEST_F(ImageFiles, RoundTripsThroughEveryFormat) {

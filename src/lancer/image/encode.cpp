@@ -72,9 +72,10 @@ float srgb_decode(float encoded) { return static_cast<float>(decode(static_cast<
 
 std::uint8_t quantise_srgb(float linear) { return quantising_table().code(linear); }
 
-std::vector<std::uint8_t> quantise_srgb(const Image& image) {
+ByteImage quantise_srgb(const Image& image) {
     const QuantisingTable& table = quantising_table();
-    std::vector<std::uint8_t> bytes(image.pixels.size());
+    ByteImage result{image.width, image.height, image.channels, std::vector<std::uint8_t>(image.pixels.size())};
+    std::vector<std::uint8_t>& bytes = result.pixels;
     const std::size_t channels = static_cast<std::size_t>(image.channels);
     const std::size_t colors = has_alpha(image) ? channels - 1 : channels;
     for (std::size_t i = 0; i + channels <= bytes.size(); i += channels) {
@@ -85,7 +86,7 @@ std::vector<std::uint8_t> quantise_srgb(const Image& image) {
             bytes[i + colors] = quantise_linear(image.pixels[i + colors]);
         }
     }
-    return bytes;
+    return result;
 }
 
 Image without_alpha(const Image& image, bool as_rgb) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "lancer/image/image.h"
 
@@ -12,7 +11,7 @@ namespace lancer {
 std::uint8_t quantise_srgb(float linear);
 
 // Every channel sRGB-encoded but for alpha, which is only scaled. In the order of the pixels.
-std::vector<std::uint8_t> quantise_srgb(const Image& image);
+ByteImage quantise_srgb(const Image& image);
 
 // Whether the last channel is alpha.
 inline bool has_alpha(const Image& image) { return image.channels == 2 || image.channels == 4; }

@@ -1,6 +1,7 @@
 // Pixels on the way to and from files.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,6 +16,14 @@ struct Image {
     std::vector<float> pixels;
 };
 
+// The same for eight bits a channel: colours as a display takes them, encoded as sRGB; alpha only scaled.
+struct ByteImage {
+    int width = 0;
+    int height = 0;
+    int channels = 3;
+    std::vector<std::uint8_t> pixels;
+};
+
 // Facts written into the file: "Software", "lancer:command", "lancer:scene", "lancer:hash", ...
 using Metadata = std::map<std::string, std::string>;
 
@@ -25,6 +34,9 @@ const std::vector<std::string>& writable_endings();
 // sRGB, clipped to [0, 1]. EXR is half float, unless a finite value needs more range. Formats without alpha lose it. The same arguments give
 // the same bytes. Throws MachineFailure with the path and the reason; what stood at `path` is untouched then.
 void write_image(const std::string& path, const Image& image, const Metadata& metadata);
+
+// As above for pixels that are encoded already: ".png", ".jpg" and ".jpeg" only.
+void write_image(const std::string& path, const ByteImage& image, const Metadata& metadata);
 
 // How colours are stored in the file that is read.
 enum class Encoding { automatic, linear, srgb };  // automatic: 8- and 16-bit integers are sRGB, floats linear

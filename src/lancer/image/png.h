@@ -8,8 +8,8 @@
 
 namespace lancer {
 
-// The bytes of a file with 8 bits a channel, sRGB, and the metadata as text chunks. Throws std::runtime_error with the reason.
-std::string encode_png(const Image& image, const Metadata& metadata);
+// The bytes of a file with 8 bits a channel, marked as sRGB, and the metadata as text chunks. Throws std::runtime_error with the reason.
+std::string encode_png(const ByteImage& image, const Metadata& metadata);
 
 // Reads in two steps, so that the caller can refuse a size before memory is taken for it. Throws std::runtime_error with the reason.
 class PngReader {

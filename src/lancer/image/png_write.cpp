@@ -8,8 +8,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lancer/image/encode.h"
-
 namespace lancer {
 namespace {
 
@@ -17,7 +15,6 @@ namespace {
 struct PngWriter {
     png_structp png = nullptr;
     png_infop info = nullptr;
-    std::vector<std::uint8_t> pixels;
     std::vector<png_bytep> rows;
     std::vector<png_text> texts;
     std::string bytes;
@@ -95,12 +92,11 @@ png_text as_text(const std::string& key, const std::string& value) {
 
 }  // namespace
 
-std::string encode_png(const Image& image, const Metadata& metadata) {
+std::string encode_png(const ByteImage& image, const Metadata& metadata) {
     PngWriter writer;
-    writer.pixels = quantise_srgb(image);
     const std::size_t stride = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
     for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
-        writer.rows.push_back(writer.pixels.data() + y * stride);
+        writer.rows.push_back(const_cast<png_bytep>(image.pixels.data() + y * stride));  // libpng takes no const, and only reads
     }
     for (const auto& [key, value] : metadata) {
         if (!key.empty()) {

@@ -19,20 +19,13 @@ namespace {
 
 void append(void* receiver, const char* data, std::size_t size) { static_cast<std::string*>(receiver)->append(data, size); }
 
-std::string encode_by_module(const char* format, const Image& image, const Metadata& metadata) {
+std::string encode_by_module(LancerImageToWrite job, const Metadata& metadata) {
     std::vector<LancerText> texts;
     for (const auto& [key, value] : metadata) {
         texts.push_back({key.c_str(), value.c_str()});
     }
-    const std::vector<std::uint8_t> bytes = std::string_view(format) == "jpeg" ? quantise_srgb(image) : std::vector<std::uint8_t>{};
-    const LancerImageToWrite job{format,
-                                 image.width,
-                                 image.height,
-                                 image.channels,
-                                 bytes.empty() ? image.pixels.data() : nullptr,
-                                 bytes.empty() ? nullptr : bytes.data(),
-                                 texts.data(),
-                                 texts.size()};
+    job.texts = texts.data();
+    job.text_count = texts.size();
     std::string result, reason;
     if (!images_module().encode(&job, &result, append, &reason, append)) {
         throw std::runtime_error(reason);
@@ -40,33 +33,41 @@ std::string encode_by_module(const char* format, const Image& image, const Metad
     return result;
 }
 
-std::string encode(const std::string& ending, const Image& image, const Metadata& metadata) {
+[[noreturn]] void refuse(const std::string& ending) {
+    throw std::runtime_error(fmt::format("images can be written as {}, not as \"{}\"", fmt::join(writable_endings(), ", "), ending));
+}
+
+std::string encode(const std::string& ending, const ByteImage& image, const Metadata& metadata) {
     if (ending == ".png") {
         return encode_png(image, metadata);
+    }
+    if (ending == ".jpg" || ending == ".jpeg") {
+        return encode_by_module({"jpeg", image.width, image.height, image.channels, nullptr, image.pixels.data(), nullptr, 0}, metadata);
+    }
+    refuse(ending);
+}
+
+std::string encode(const std::string& ending, const Image& image, const Metadata& metadata) {
+    if (ending == ".png") {
+        return encode_png(quantise_srgb(image), metadata);
     }
     if (ending == ".exr") {
         return encode_exr(image, metadata);
     }
     if (ending == ".jpg" || ending == ".jpeg") {
-        return encode_by_module("jpeg", without_alpha(image, false), metadata);
+        return encode(ending, quantise_srgb(without_alpha(image, false)), metadata);
     }
     if (ending == ".hdr") {
         return encode_hdr(image, metadata);
     }
     if (ending == ".tif" || ending == ".tiff") {
-        return encode_by_module("tiff", image, metadata);
+        return encode_by_module({"tiff", image.width, image.height, image.channels, image.pixels.data(), nullptr, nullptr, 0}, metadata);
     }
-    throw std::runtime_error(fmt::format("images can be written as {}, not as \"{}\"", fmt::join(writable_endings(), ", "), ending));
+    refuse(ending);
 }
 
-}  // namespace
-
-const std::vector<std::string>& writable_endings() {
-    static const std::vector<std::string> endings = {".png", ".jpg", ".jpeg", ".exr", ".hdr", ".tif", ".tiff"};
-    return endings;
-}
-
-void write_image(const std::string& path, const Image& image, const Metadata& metadata) {
+template <class AnyImage>
+void write(const std::string& path, const AnyImage& image, const Metadata& metadata) {
     assert(image.width > 0 && image.height > 0 && image.channels >= 1 && image.channels <= 4);
     assert(image.pixels.size() ==
            static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * static_cast<std::size_t>(image.channels));
@@ -78,5 +79,15 @@ void write_image(const std::string& path, const Image& image, const Metadata& me
     }
     replace_file(path, bytes);
 }
+
+}  // namespace
+
+const std::vector<std::string>& writable_endings() {
+    static const std::vector<std::string> endings = {".png", ".jpg", ".jpeg", ".exr", ".hdr", ".tif", ".tiff"};
+    return endings;
+}
+
+void write_image(const std::string& path, const Image& image, const Metadata& metadata) { write(path, image, metadata); }
+void write_image(const std::string& path, const ByteImage& image, const Metadata& metadata) { write(path, image, metadata); }
 
 }  // namespace lancer

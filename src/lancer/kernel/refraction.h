@@ -112,11 +112,14 @@ FN Vec3 transmittance(IN(WorldRecord) world, Int material, Float distance, Mask 
     return left_over;
 }
 
+// The square of the refracted ray's cosine by Snell's law: 1 - sin^2 / eta^2, without cancellation where eta is near 1 or the angle near the
+// critical one, and negative beyond that.
+FN Float squared_cos_t(Float cos_i, Float eta) { return ((eta - Float(1.0f)) * (eta + Float(1.0f)) + cos_i * cos_i) / (eta * eta); }
+
 // Share of unpolarised light that a smooth border reflects [Fresnel 1823]; `eta` is the index behind over the one in front. Also gives the
 // cosine of the refracted ray; all is reflected, and that cosine 0, beyond the critical angle.
 FN Float fresnel(Float cos_i, Float eta, INOUT(Float) cos_t) {
-    // 1 - sin^2 / eta^2, without cancellation where eta is near 1 or the angle near the critical one.
-    Float cos_t_2 = ((eta - Float(1.0f)) * (eta + Float(1.0f)) + cos_i * cos_i) / (eta * eta);
+    Float cos_t_2 = squared_cos_t(cos_i, eta);
     Mask total = cos_t_2 <= Float(0.0f);
     cos_t = sqrt(max(cos_t_2, Float(0.0f)));
     Float parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
@@ -156,6 +159,19 @@ FN Border select_border(Mask mask, IN(Border) a, IN(Border) b) {
 // Snell's law for a ray along `direction` against a normal that faces it.
 FN Vec3 refracted(Vec3 direction, Vec3 normal, Float cos_i, Float cos_t, Float eta) {
     return normalize(direction / eta + normal * (cos_i / eta - cos_t));
+}
+
+// As above for a smooth normal `shading`; where that would send the ray out over the surface itself, its true normal, `normal`, bends it, at
+// most to along the surface.
+FN Vec3 refracted_below(Vec3 direction, Vec3 shading, Vec3 normal, Float cos_i, IN(Border) border) {
+    Vec3 below = refracted(direction, shading, cos_i, border.cos_t, border.eta);
+    Mask outside = dot(below, normal) >= Float(0.0f);
+    if (some(outside)) {
+        Float true_cos_i = -dot(direction, normal);
+        Float true_cos_t = sqrt(max(squared_cos_t(true_cos_i, border.eta), Float(0.0f)));
+        below = select(outside, refracted(direction, normal, true_cos_i, true_cos_t, border.eta), below);
+    }
+    return below;
 }
 
 NAMESPACE_END

@@ -122,7 +122,7 @@ FN_LARGE Vec3 whitted_radiance(IN(WorldRecord) world, IN(Ray) camera, Mask alive
                     bends = both(bends, is_worth_following(world, refracted_weight, path.band));
                     if (some(bends)) {
                         waiting[waiting_count] = path;
-                        waiting[waiting_count].direction = refracted(ray.direction, shading, cos_i, border.cos_t, border.eta);
+                        waiting[waiting_count].direction = refracted_below(ray.direction, shading, normal, cos_i, border);
                         waiting[waiting_count].origin = leave_surface(point.position, point.error, normal, -normal);
                         waiting[waiting_count].weight = refracted_weight;
                         waiting[waiting_count].media = border.beyond;

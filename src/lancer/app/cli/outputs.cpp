@@ -3,12 +3,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "lancer/base/file.h"
+#include "lancer/film/develop.h"
+#include "lancer/render/threads.h"
 
 namespace lancer::app {
 
@@ -66,15 +69,31 @@ bool is_linear(const std::string& path) {
     return ending != ".png" && ending != ".jpg" && ending != ".jpeg";
 }
 
-void write_film(const std::string& path, const Film& film, double exposure, const Metadata& metadata) {
-    Image image;
-    image.width = film.width;
-    image.height = film.height;
-    image.channels = 3;
+namespace {
+
+ByteImage develop(const Film& film, double exposure, int threads) {
+    constexpr int rows = 16;
+    ByteImage image{film.width, film.height, 3, std::vector<std::uint8_t>(film.radiance.size() * 3)};
+    std::atomic<int> next{0};
+    run_on_threads(threads, [&] {
+        for (int first = next.fetch_add(rows); first < film.height; first = next.fetch_add(rows)) {
+            develop_rows(film, exposure, first, std::min(first + rows, film.height), image);
+        }
+    });
+    return image;
+}
+
+}  // namespace
+
+void write_film(const std::string& path, const Film& film, const RenderOptions& options, const Metadata& metadata) {
+    if (!is_linear(path)) {
+        write_image(path, develop(film, options.exposure, options.threads > 0 ? options.threads : hardware_threads()), metadata);
+        return;
+    }
+    Image image{film.width, film.height, 3, {}};
     image.pixels.reserve(film.radiance.size() * 3);
-    const float scale = is_linear(path) ? 1.0f : static_cast<float>(std::exp2(exposure));
     for (const glm::vec3& c : film.radiance) {
-        image.pixels.insert(image.pixels.end(), {c.x * scale, c.y * scale, c.z * scale});
+        image.pixels.insert(image.pixels.end(), {c.x, c.y, c.z});
     }
     write_image(path, image, metadata);
 }

@@ -81,7 +81,7 @@ bool write_all(const Arguments& arguments, const Prepared& prepared, const Film&
         }
     };
     for (const std::string& path : arguments.outputs) {
-        attempt(path, [&] { write_film(path, film, prepared.options.exposure, prepared.metadata); });
+        attempt(path, [&] { write_film(path, film, prepared.options, prepared.metadata); });
     }
     if (arguments.sample_map) {
         attempt(*arguments.sample_map, [&] { write_sample_map(*arguments.sample_map, film, prepared.metadata); });

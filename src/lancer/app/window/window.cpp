@@ -175,7 +175,7 @@ private:
 
     void save() {
         try {
-            write_film(save_as_, canvas_.snapshot(), prepared_.options.exposure, prepared_.metadata);
+            write_film(save_as_, canvas_.snapshot(), prepared_.options, prepared_.metadata);
             fmt::print("Saved as {}\n", save_as_);
             note_ = "saved as " + save_as_;
         } catch (const MachineFailure& failure) {

@@ -105,8 +105,9 @@ void build(Context& context, const toml::table& root) {
         check_reach(messages, group.objects, group.placements, groups);
     }
     check_reach(messages, scene.objects, scene.placements, groups);
-    if (scene.lights.empty()) {
-        messages.warning(whole_file, "there is no [[light]]: only ambient light is seen");
+    if (scene.lights.empty() && !root.contains("background") && !root.contains("ambient")) {
+        messages.error(whole_file, "the scene is dark: it needs a [[light]], a [background] or `ambient` light");
+        return;
     }
     if (scene.cameras.empty() && !messages.diagnostics().has_errors()) {
         messages.note(whole_file, "there is no [camera]: one that sees everything is used");
