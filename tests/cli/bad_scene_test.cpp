@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(BadScene, AnAmbientOrABackgroundIsLightEnough) {
     const Folder folder;
     const std::string dark = "[camera]\nposition = [0, 1, 5]\n" + sphere;
-    for (const std::string light : {"ambient = 0.5\n", "background = \"#808080\"\n"}) {
+    for (const std::string light : {"ambient = \"gray\"\n", "background = \"#808080\"\n"}) {
         folder.write("scene.toml", light + dark + "[render]\nsize = [40, 30]\n");
         const Finished finished = run_lancer(folder, {"render", "scene.toml", "-o", "picture.png"});
         EXPECT_EQ(finished.status, 0) << finished.err;
