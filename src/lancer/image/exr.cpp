@@ -1,44 +1,18 @@
 #include "lancer/image/exr.h"
 
 #include <ImfChannelList.h>
-#include <ImfChromaticitiesAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfOutputFile.h>
-#include <ImfStandardAttributes.h>
-#include <ImfStringAttribute.h>
 #include <half.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <vector>
+
+#include "lancer/image/exr_stream.h"
 
 namespace lancer {
 namespace {
-
-class MemoryStream : public Imf::OStream {
-public:
-    MemoryStream() : Imf::OStream("memory") {}
-
-    void write(const char data[], int size) override {
-        const std::size_t end = place_ + static_cast<std::size_t>(size);
-        if (end > bytes_.size()) {
-            bytes_.resize(end);
-        }
-        std::memcpy(bytes_.data() + place_, data, static_cast<std::size_t>(size));
-        place_ = end;
-    }
-    std::uint64_t tellp() override { return place_; }
-    void seekp(std::uint64_t place) override { place_ = static_cast<std::size_t>(place); }
-
-    std::string take() { return std::move(bytes_); }
-
-private:
-    std::string bytes_;
-    std::size_t place_ = 0;
-};
 
 std::vector<const char*> channel_names(int channels) {
     switch (channels) {
@@ -53,15 +27,9 @@ std::vector<const char*> channel_names(int channels) {
     }
 }
 
-constexpr float largest_half = 65504.0f;
-
-bool fits_half(const std::vector<float>& values) {
-    return std::all_of(values.begin(), values.end(), [](float v) { return !std::isfinite(v) || std::fabs(v) <= largest_half; });
-}
-
 // The layout of the samples in memory, interleaved as in `Image`.
 template <class Sample>
-void write_samples(MemoryStream& stream, Imf::Header& header, Imf::PixelType type, const std::vector<const char*>& names, int width,
+void write_samples(ExrMemory& stream, Imf::Header& header, Imf::PixelType type, const std::vector<const char*>& names, int width,
                    int height, const Sample* samples) {
     const std::size_t pixel = sizeof(Sample) * names.size();
     Imf::FrameBuffer buffer;
@@ -78,19 +46,8 @@ void write_samples(MemoryStream& stream, Imf::Header& header, Imf::PixelType typ
 }  // namespace
 
 std::string encode_exr(const Image& image, const Metadata& metadata) {
-    Imf::Header header(image.width, image.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
-    Imf::addChromaticities(header, Imf::Chromaticities());  // the default ones are Rec. 709's, D65: those of sRGB
-    for (const auto& [key, value] : metadata) {
-        if (key.empty()) {
-            continue;
-        }
-        // The names that the format uses itself ("channels", "compression", ...) are taken.
-        const bool taken = header.find(key) != header.end() || key == "tiles" || key == "type" || key == "name" || key == "version" ||
-                           key == "chunkCount" || key == "view";
-        header.insert(taken ? "text:" + key : key, Imf::StringAttribute(value));
-    }
-    MemoryStream stream;
+    Imf::Header header = exr_header(image.width, image.height, metadata);
+    ExrMemory stream;
     const std::vector<const char*> names = channel_names(image.channels);
     if (fits_half(image.pixels)) {
         std::vector<half> halves(image.pixels.size());

@@ -17,6 +17,7 @@
 #include "lancer/image/images_module.h"
 #include "lancer/image/png.h"
 #include "lancer/image/signature.h"
+#include "lancer/image/stored.h"
 
 namespace lancer {
 namespace {
@@ -28,16 +29,12 @@ constexpr std::int64_t most_pixels = std::int64_t{1} << 29;
 constexpr std::uint64_t most_packed = 4096;
 constexpr std::uint64_t always_allowed = 1 << 20;  // bytes
 
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
-    throw std::runtime_error(fmt::format("cannot read the image {}: {}", path, reason));
-}
-
 void append(void* receiver, const char* data, std::size_t size) { static_cast<std::string*>(receiver)->append(data, size); }
 
 std::string first_bytes(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) {
-        fail(path, std::strerror(errno));
+        fail_to_read(path, std::strerror(errno));
     }
     std::array<char, 16> bytes{};
     file.read(bytes.data(), bytes.size());
@@ -47,10 +44,10 @@ std::string first_bytes(const std::string& path) {
 std::uint64_t file_size(const std::string& path) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) {
-        fail(path, errno == ENOENT ? "there is no such file" : std::strerror(errno));
+        fail_to_read(path, errno == ENOENT ? "there is no such file" : std::strerror(errno));
     }
     if (!S_ISREG(status.st_mode)) {
-        fail(path, "it is not a file");
+        fail_to_read(path, "it is not a file");
     }
     return static_cast<std::uint64_t>(status.st_size);
 }
@@ -65,36 +62,29 @@ struct Header {
 
 // An empty image of the header's size, if that is one that the file can fill.
 Image make_image(const Header& header, std::uint64_t file_bytes) {
-    if (std::int64_t{header.width} * header.height > most_pixels) {
-        throw std::runtime_error(
-            fmt::format("it is {} x {} pixels, more than the {} that are allowed", header.width, header.height, most_pixels));
-    }
-    if (header.stored > always_allowed && header.stored / most_packed > file_bytes) {
-        throw std::runtime_error(
-            fmt::format("it claims to be {} x {} pixels, but the file has only {} bytes", header.width, header.height, file_bytes));
-    }
+    check_size(header.width, header.height, header.stored, file_bytes);
     Image image{header.width, header.height, header.channels, {}};
     image.pixels.resize(static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height) *
                         static_cast<std::size_t>(header.channels));
     return image;
 }
 
-struct Stored {
+struct StoredImage {
     Image image;  // as stored
     int bits = 0;
 };
 
-Stored read_png(const std::string& path, std::uint64_t file_bytes) {
+StoredImage read_png(const std::string& path, std::uint64_t file_bytes) {
     PngReader reader(path);
     const auto area = static_cast<std::uint64_t>(reader.width()) * static_cast<std::uint64_t>(reader.height());
     const Header header{reader.width(), reader.height(), reader.channels(), reader.bits(),
                         area * static_cast<std::uint64_t>(reader.channels() * reader.bits() / 8)};
-    Stored result{make_image(header, file_bytes), header.bits};
+    StoredImage result{make_image(header, file_bytes), header.bits};
     reader.read(result.image.pixels.data());
     return result;
 }
 
-Stored read_by_module(const std::string& path, const std::string& format, std::uint64_t file_bytes) {
+StoredImage read_by_module(const std::string& path, const std::string& format, std::uint64_t file_bytes) {
     if (format == "openexr" && !exr_attributes_fit(path, file_bytes)) {
         throw std::runtime_error("broken OpenEXR file: its header claims more bytes than the file has");
     }
@@ -107,7 +97,7 @@ Stored read_by_module(const std::string& path, const std::string& format, std::u
         throw std::runtime_error(reason);
     }
     const Header header{found.width, found.height, found.channels, found.bits, found.stored};
-    Stored result{make_image(header, file_bytes), header.bits};
+    StoredImage result{make_image(header, file_bytes), header.bits};
     if (!module.read(reader.get(), result.image.pixels.data(), &reason, append)) {
         throw std::runtime_error(reason);
     }
@@ -141,23 +131,48 @@ void decode_srgb(Image& image, int bits) {
 
 }  // namespace
 
-Image read_image(const std::string& path, Encoding encoding) {
-    const std::uint64_t file_bytes = file_size(path);
-    const std::string format = image_format(first_bytes(path), file_ending(path));
-    if (format.empty()) {
-        fail(path, "its first bytes are those of no image format that lancer knows");
+void fail_to_read(const std::string& path, const std::string& reason) {
+    throw std::runtime_error(fmt::format("cannot read the image {}: {}", path, reason));
+}
+
+FoundImage find_image(const std::string& path) {
+    FoundImage found;
+    found.bytes = file_size(path);
+    found.format = image_format(first_bytes(path), file_ending(path));
+    if (found.format.empty()) {
+        fail_to_read(path, "its first bytes are those of no image format that lancer knows");
     }
-    Stored stored;
+    return found;
+}
+
+void check_size(std::int64_t width, std::int64_t height, std::uint64_t stored, std::uint64_t file_bytes) {
+    if (width * height > most_pixels) {
+        throw std::runtime_error(fmt::format("it is {} x {} pixels, more than the {} that are allowed", width, height, most_pixels));
+    }
+    if (stored > always_allowed && stored / most_packed > file_bytes) {
+        throw std::runtime_error(fmt::format("it claims to be {} x {} pixels, but the file has only {} bytes", width, height, file_bytes));
+    }
+}
+
+Image read_image(const std::string& path, Encoding encoding) {
+    bool encoded = false;
+    return read_image(path, encoding, encoded);
+}
+
+Image read_image(const std::string& path, Encoding encoding, bool& encoded) {
+    const FoundImage found = find_image(path);
+    StoredImage stored;
     try {
-        stored = format == "png" ? read_png(path, file_bytes) : read_by_module(path, format, file_bytes);
+        stored = found.format == "png" ? read_png(path, found.bytes) : read_by_module(path, found.format, found.bytes);
     } catch (const std::bad_alloc&) {
-        fail(path, "there is not enough memory for it");
+        fail_to_read(path, "there is not enough memory for it");
     } catch (const MachineFailure& failure) {
         throw MachineFailure(fmt::format("cannot read the image {}: {}", path, failure.what()));
     } catch (const std::exception& error) {
-        fail(path, error.what());
+        fail_to_read(path, error.what());
     }
-    if (encoding == Encoding::srgb || (encoding == Encoding::automatic && (stored.bits == 8 || stored.bits == 16))) {
+    encoded = encoding == Encoding::srgb || (encoding == Encoding::automatic && (stored.bits == 8 || stored.bits == 16));
+    if (encoded) {
         decode_srgb(stored.image, stored.bits);
     }
     return std::move(stored.image);
