@@ -19,13 +19,7 @@ glm::dvec3 table_at(int i) {
 // XYZ of a chromaticity at luminance 1.
 glm::dvec3 xyz_of(double x, double y) { return {x / y, 1.0, (1.0 - x - y) / y}; }
 
-// The columns are the primaries' XYZ, scaled so that (1, 1, 1) is the white. From the chromaticities, not from the four-digit matrix that
-// the standard prints, so that both directions are inverse to each other to the last digits.
-glm::dmat3 rgb_to_xyz_matrix() {
-    const glm::dmat3 primaries(xyz_of(0.64, 0.33), xyz_of(0.30, 0.60), xyz_of(0.15, 0.06));
-    const glm::dvec3 scale = glm::inverse(primaries) * xyz_of(0.3127, 0.3290);  // D65
-    return {primaries[0] * scale.x, primaries[1] * scale.y, primaries[2] * scale.z};
-}
+glm::dvec3 standard_white() { return xyz_of(0.3127, 0.3290); }  // D65
 
 // Where the table's wavelengths count as visible: beyond them, luminance is below a thousandth of the peak.
 constexpr double visible_from = 380.0;  // nm
@@ -87,13 +81,29 @@ glm::dvec3 cie_1931(double wavelength_nm) {
     return table_at(i) * (1.0 - t) + table_at(i + 1) * t;
 }
 
+double cie_1931_area() {
+    double sum = 0.0;
+    for (int i = 0; i < cie_1931_count; ++i) {
+        sum += table_at(i).y * (i == 0 || i + 1 == cie_1931_count ? 0.5 : 1.0);
+    }
+    return sum * cie_1931_step;
+}
+
+// The columns are the primaries' XYZ, scaled so that (1, 1, 1) is the white. From the chromaticities, not from the four-digit matrix that
+// the standard prints, so that both directions are inverse to each other to the last digits.
+glm::dmat3 rgb_to_xyz_matrix(const glm::dvec3& white) {
+    const glm::dmat3 primaries(xyz_of(0.64, 0.33), xyz_of(0.30, 0.60), xyz_of(0.15, 0.06));
+    const glm::dvec3 scale = glm::inverse(primaries) * white;
+    return {primaries[0] * scale.x, primaries[1] * scale.y, primaries[2] * scale.z};
+}
+
 glm::dvec3 xyz_to_rgb(const glm::dvec3& xyz) {
-    static const glm::dmat3 matrix = glm::inverse(rgb_to_xyz_matrix());
+    static const glm::dmat3 matrix = glm::inverse(rgb_to_xyz_matrix(standard_white()));
     return matrix * xyz;
 }
 
 glm::dvec3 rgb_to_xyz(const glm::dvec3& rgb) {
-    static const glm::dmat3 matrix = rgb_to_xyz_matrix();
+    static const glm::dmat3 matrix = rgb_to_xyz_matrix(standard_white());
     return matrix * rgb;
 }
 
