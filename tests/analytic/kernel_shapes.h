@@ -50,7 +50,7 @@ struct Kernel {
     glm::dvec3 (*mirror)(const glm::dvec3& v, const glm::dvec3& n);
     double (*fresnel)(double cos_i, double eta, double& cos_t);
     glm::dvec3 (*refracted)(const glm::dvec3& direction, const glm::dvec3& normal, double cos_i, double cos_t, double eta);
-    double (*index)(const kernel::WhittedRecord& material, double nanometres);
+    double (*index)(const kernel::MediumRecord& material, double nanometres);
 };
 
 extern const Kernel in_float;

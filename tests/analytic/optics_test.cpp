@@ -129,7 +129,7 @@ std::vector<Shape> prism_triangles() {
 }
 
 // Follows one ray through glass by the kernel's own steps, until it leaves the scene; degrees between its first and its last direction.
-double deviation(const Kernel& kernel, const std::vector<Shape>& shapes, const kernel::WhittedRecord& glass, Line line, double nanometres) {
+double deviation(const Kernel& kernel, const std::vector<Shape>& shapes, const kernel::MediumRecord& glass, Line line, double nanometres) {
     const glm::dvec3 first = line.direction;
     for (int i = 0; i < 4; ++i) {
         const Shape* nearest = nullptr;
@@ -161,7 +161,7 @@ double deviation(const Kernel& kernel, const std::vector<Shape>& shapes, const k
 
 TEST(Prism, DeviatesEachLineAsTheCatalogueSays) {
     const Sellmeier bk7 = *find_glass("N-BK7");
-    kernel::WhittedRecord glass{};
+    kernel::MediumRecord glass{};
     glass.refraction = kernel::REFRACTION_SELLMEIER;
     glass.refraction_a = kernel::vec3(glm::dvec3(bk7.b[0], bk7.b[1], bk7.b[2]));
     glass.refraction_b = kernel::vec3(glm::dvec3(bk7.c[0], bk7.c[1], bk7.c[2]));
@@ -214,11 +214,11 @@ TEST(Media, LastEnteredFirst) {
 
 TEST(Media, BordersBendByWhatIsOnTheirSides) {
     using namespace kernel;
-    std::array<WhittedRecord, 2> materials{};
-    materials[0].refraction_a = vec3(1.5f, 0.0f, 0.0f);  // glass
-    materials[1].refraction_a = vec3(1.2f, 0.0f, 0.0f);  // liquid
+    std::array<MediumRecord, 2> fillings{};
+    fillings[0].refraction_a = vec3(1.5f, 0.0f, 0.0f);  // glass
+    fillings[1].refraction_a = vec3(1.2f, 0.0f, 0.0f);  // liquid
     WorldRecord world{};
-    world.materials = materials.data();
+    world.media = fillings.data();
     const auto eta = [&](const Media& media, int material, bool inside) {
         return static_cast<double>(border_at(world, media, material, inside, 0.9f, 587.6f, true).eta);
     };

@@ -343,7 +343,7 @@ void expect_mesh_is_met_as_its_triangles(double from_origin, int allowed) {
                                 m.row_y.x * p.x + m.row_y.y * p.y + m.row_y.z * p.z + m.shift.y,
                                 m.row_z.x * p.x + m.row_z.y * p.y + m.row_z.z * p.z + m.shift.z);
         };
-        loose.objects.push_back({kernel::OBJECT_TRIANGLE, i, large->objects.back().material, 0, 0, i});
+        loose.objects.push_back({kernel::OBJECT_TRIANGLE, i, large->objects.back().material, 0, 0, i, -1});
         loose.triangles.push_back({corner(0), corner(1), corner(2)});
     }
     const Picture reference = follow_one_by_one(loose, pixel_middles(size, size));

@@ -15,7 +15,9 @@ using namespace lancer;
 Image flat(float r, float g, float b, int width = 40, int height = 30) {
     Image image{width, height, 3, {}};
     for (int i = 0; i < width * height; ++i) {
-        image.pixels.insert(image.pixels.end(), {r, g, b});
+        for (const float value : {r, g, b}) {
+            image.pixels.push_back(value);
+        }
     }
     return image;
 }

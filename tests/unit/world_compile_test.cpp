@@ -341,7 +341,7 @@ scene::Scene scene_with(const scene::WhittedMaterial& material) {
     return scene;
 }
 
-double index_of(const kernel::WhittedRecord& r, double nm) {
+double index_of(const kernel::MediumRecord& r, double nm) {
     if (r.refraction == kernel::REFRACTION_CAUCHY) {
         return static_cast<double>(r.refraction_a.x) + static_cast<double>(r.refraction_a.y) / (nm * nm);
     }
@@ -381,22 +381,22 @@ TEST(CompileMaterials, IndicesOfRefraction) {
     material.refraction = 1.7;
     auto world = compiled(scene_with(material));
     EXPECT_TRUE(world->has_transparency);
-    EXPECT_EQ(world->materials[0].dispersive, 0);
+    EXPECT_EQ(world->media[0].dispersive, 0);
     EXPECT_TRUE(world->bands.empty()) << "one index for all wavelengths needs none";
-    EXPECT_NEAR(index_of(world->materials[0], 400.0), 1.7, 1e-6);
+    EXPECT_NEAR(index_of(world->media[0], 400.0), 1.7, 1e-6);
 
     // An Abbe number is (n_d - 1) / (n_F - n_C).
     material.refraction = scene::AbbeGlass{1.5168, 64.17};
     world = compiled(scene_with(material));
-    const kernel::WhittedRecord& abbe = world->materials[0];
+    const kernel::MediumRecord& abbe = world->media[0];
     EXPECT_EQ(abbe.dispersive, 1);
     EXPECT_NEAR(index_of(abbe, 587.5618), 1.5168, 1e-6);
     EXPECT_NEAR((index_of(abbe, 587.5618) - 1.0) / (index_of(abbe, 486.1327) - index_of(abbe, 656.2725)), 64.17, 0.02);
 
     material.refraction = scene::NamedGlass{"N-BK7"};
     world = compiled(scene_with(material));
-    EXPECT_EQ(world->materials[0].refraction, kernel::REFRACTION_SELLMEIER);
-    EXPECT_NEAR(index_of(world->materials[0], 587.5618), 1.5168, 2e-6);
+    EXPECT_EQ(world->media[0].refraction, kernel::REFRACTION_SELLMEIER);
+    EXPECT_NEAR(index_of(world->media[0], 587.5618), 1.5168, 2e-6);
     EXPECT_EQ(world->bands.size(), 48u);
     glm::dvec3 sum(0.0);
     for (const kernel::BandRecord& band : world->bands) {

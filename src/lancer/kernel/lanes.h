@@ -21,6 +21,7 @@ using namespace lancer::kernel;  // the records
 using Isa = xsimd::LANCER_ISA;
 using Float = xsimd::batch<float, Isa>;
 using Int = xsimd::batch<std::int32_t, Isa>;
+using UInt = xsimd::batch<std::uint32_t, Isa>;
 using Mask = xsimd::batch_bool<float, Isa>;
 constexpr int LANES = static_cast<int>(Float::size);
 
@@ -42,6 +43,11 @@ FN Float as_float(Int a) { return xsimd::bitwise_cast<Float>(a); }
 FN Int as_int(Float a) { return xsimd::bitwise_cast<Int>(a); }
 FN Float select(Mask m, Float a, Float b) { return xsimd::select(m, a, b); }
 FN Int select(Mask m, Int a, Int b) { return as_int(xsimd::select(m, as_float(a), as_float(b))); }
+FN UInt select(Mask m, UInt a, UInt b) {
+    return xsimd::bitwise_cast<UInt>(xsimd::select(m, xsimd::bitwise_cast<Float>(a), xsimd::bitwise_cast<Float>(b)));
+}
+FN Int as_signed(UInt x) { return xsimd::bitwise_cast<Int>(x); }
+FN UInt as_unsigned(Int x) { return xsimd::bitwise_cast<UInt>(x); }
 FN Mask to_mask(xsimd::batch_bool<std::int32_t, Isa> m) {
     Mask result;
     static_assert(sizeof(result) == sizeof(m), "both are one register of the same width");
@@ -59,6 +65,7 @@ FN Int float_bits(Float x) { return as_int(x); }
 FN Float bits_float(Int x) { return as_float(x); }
 FN Float to_float(Int x) { return xsimd::to_float(x); }
 FN Int round_to_int(Float x) { return xsimd::nearbyint_as_int(x); }
+FN Int to_int(Float x) { return xsimd::to_int(x); }  // towards zero
 
 // The largest value of all lanes.
 FN float highest(Float x) {
@@ -109,6 +116,7 @@ using Float = double;
 using Float = float;
 #endif
 using Int = int;
+using UInt = std::uint32_t;
 using Mask = bool;
 constexpr int LANES = 1;
 
@@ -119,6 +127,9 @@ FN Mask without(Mask a, Mask b) { return a && !b; }
 FN int lanes_in(Mask m) { return m ? 1 : 0; }
 FN Float select(Mask m, Float a, Float b) { return m ? a : b; }
 FN Int select(Mask m, Int a, Int b) { return m ? a : b; }
+FN UInt select(Mask m, UInt a, UInt b) { return m ? a : b; }
+FN Int as_signed(UInt x) { return static_cast<Int>(x); }
+FN UInt as_unsigned(Int x) { return static_cast<UInt>(x); }
 FN Mask is_equal(Int a, Int b) { return a == b; }
 FN Mask is_above(Int a, Int b) { return a > b; }
 FN Float sqrt(Float a) { return std::sqrt(a); }
@@ -139,6 +150,7 @@ FN Float bits_float(Int x) {
 }
 FN Float to_float(Int x) { return static_cast<Float>(x); }
 FN Int round_to_int(Float x) { return static_cast<Int>(std::nearbyint(x)); }
+FN Int to_int(Float x) { return static_cast<Int>(x); }
 FN Int first_of(Int x, Mask) { return x; }
 FN bool lane_is_on(Mask m, int) { return m; }
 FN float lane_of(Float x, int) { return static_cast<float>(x); }
@@ -154,6 +166,10 @@ struct Vec2 {
 
 struct Vec3 {
     Float x, y, z;
+};
+
+struct Vec4 {
+    Float x, y, z, w;
 };
 
 FN Vec2 vec2_of(Float x, Float y) { return Vec2{x, y}; }
@@ -179,6 +195,23 @@ FN Vec3 min(const Vec3& a, const Vec3& b) { return Vec3{min(a.x, b.x), min(a.y, 
 FN Vec3 max(const Vec3& a, const Vec3& b) { return Vec3{max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)}; }
 FN Vec3 reciprocal(const Vec3& a) { return Vec3{Float(1.0f) / a.x, Float(1.0f) / a.y, Float(1.0f) / a.z}; }
 FN Vec3 select(Mask m, const Vec3& a, const Vec3& b) { return Vec3{select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)}; }
+
+FN Vec4 vec4_of(Float x, Float y, Float z, Float w) { return Vec4{x, y, z, w}; }
+FN Vec4 vec4_all(Float x) { return Vec4{x, x, x, x}; }
+FN Vec4 broadcast(const glm::vec4& v) { return Vec4{Float(v.x), Float(v.y), Float(v.z), Float(v.w)}; }
+FN Vec4 operator+(const Vec4& a, const Vec4& b) { return Vec4{a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
+FN Vec4 operator-(const Vec4& a, const Vec4& b) { return Vec4{a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}; }
+FN Vec4 operator*(const Vec4& a, const Vec4& b) { return Vec4{a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w}; }
+FN Vec4 operator/(const Vec4& a, const Vec4& b) { return Vec4{a.x / b.x, a.y / b.y, a.z / b.z, a.w / b.w}; }
+FN Vec4 operator*(const Vec4& a, Float b) { return Vec4{a.x * b, a.y * b, a.z * b, a.w * b}; }
+FN Vec4 operator*(Float a, const Vec4& b) { return b * a; }
+FN Vec4 operator/(const Vec4& a, Float b) { return a * (Float(1.0f) / b); }
+FN Vec4 sqrt(const Vec4& a) { return Vec4{sqrt(a.x), sqrt(a.y), sqrt(a.z), sqrt(a.w)}; }
+FN Vec4 max(const Vec4& a, const Vec4& b) { return Vec4{max(a.x, b.x), max(a.y, b.y), max(a.z, b.z), max(a.w, b.w)}; }
+FN Vec4 min(const Vec4& a, const Vec4& b) { return Vec4{min(a.x, b.x), min(a.y, b.y), min(a.z, b.z), min(a.w, b.w)}; }
+FN Vec4 select(Mask m, const Vec4& a, const Vec4& b) {
+    return Vec4{select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z), select(m, a.w, b.w)};
+}
 
 }  // namespace lancer::LANCER_KERNEL
 

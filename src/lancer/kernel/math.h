@@ -77,6 +77,21 @@ FN Float angle_of(Float y, Float x) {
     return with_sign_of(angle, y);
 }
 
+// (cos, sin) of a part of a full turn, 0 <= turn < 2^20: by quadrants and Taylor's series; absolute error below 2e-7.
+FN Vec2 on_circle(Float turn) {
+    Float quarters = turn * Float(4.0f);
+    Int quadrant = round_to_int(quarters);
+    Float a = (quarters - to_float(quadrant)) * Float(0.5f * PI);
+    Float z = a * a;
+    Float sine = a + a * z * (Float(-1.6666667e-1f) + z * (Float(8.3333333e-3f) + z * (Float(-1.9841270e-4f) + z * Float(2.7557319e-6f))));
+    Float cosine = Float(1.0f) + z * (Float(-0.5f) + z * (Float(4.1666667e-2f) + z * (Float(-1.3888889e-3f) + z * Float(2.4801587e-5f))));
+    Mask odd = is_equal(quadrant & Int(1), Int(1));
+    Float x = select(odd, -sine, cosine);
+    Float y = select(odd, cosine, sine);
+    Mask turned = is_equal(quadrant & Int(2), Int(2));
+    return vec2_of(select(turned, -x, x), select(turned, -y, y));
+}
+
 NAMESPACE_END
 
 #endif

@@ -85,6 +85,7 @@ struct ObjectRecord {
     int mesh;      // OBJECT_TRIANGLE: the mesh it comes from, and its number there in `sub`; else 0
     int instance;  // OBJECT_TRIANGLE: the instance it comes from
     int sub;
+    int emitter;  // -1: gives no light
 };
 
 // ---- Materials ------------------------------------------------------------------------------------------------------------------
@@ -124,11 +125,15 @@ struct WhittedRecord {
     float shininess;
     float reflectivity;
     float transparency;
+};
+
+// What fills a transparent body; media[i] belongs to materials[i].
+struct MediumRecord {
     int refraction;
     int dispersive;
     vec3 refraction_a;
     vec3 refraction_b;
-    vec3 absorption;
+    vec3 absorption;  // linear RGB, per metre
 };
 
 // ---- Lights, camera, surroundings -------------------------------------------------------------------------------------------------
@@ -146,12 +151,23 @@ struct LightRecord {
     float cos_inner;
 };
 
-// A point of the film (x, y) in pixels maps to the direction corner + x * step_x + y * step_y.
+const int CAMERA_PERSPECTIVE = 0;   // a point of the film (x, y) in pixels maps to the direction corner + x * step_x + y * step_y
+const int CAMERA_ORTHOGRAPHIC = 1;  // to the origin corner + x * step_x + y * step_y; all look along `forward`
+const int CAMERA_PANORAMA = 2;      // to longitude and latitude: the picture's width spans 360 degrees, its height 180
+
 struct CameraRecord {
     vec3 position;
     vec3 corner;
     vec3 step_x;
     vec3 step_y;
+    vec3 right;  // right, down and forward have length 1
+    vec3 down;
+    vec3 forward;
+    int kind;
+    float lens_radius;     // 0: a pinhole
+    float focus_distance;  // of the plane that is sharp, along `forward`
+    float width;           // of the film, in pixels
+    float height;
 };
 
 const int MAX_BOUNCES = 24;
@@ -160,6 +176,12 @@ struct BandRecord {
     float nanometres;
     vec3 weight;
 };
+
+RECORDS_END
+
+#include "lancer/kernel/physical_records.h"
+
+RECORDS_BEGIN
 
 TABLE(SphereRecord, SphereTable)
 TABLE(BoxRecord, BoxTable)
@@ -171,6 +193,9 @@ TABLE(InstanceRecord, InstanceTable)
 TABLE(ObjectRecord, ObjectTable)
 TABLE(TextureRecord, TextureTable)
 TABLE(WhittedRecord, WhittedTable)
+TABLE(MediumRecord, MediumTable)
+TABLE(MaterialRecord, MaterialTable)
+TABLE(EmitterRecord, EmitterTable)
 TABLE(LightRecord, LightTable)
 TABLE(BandRecord, BandTable)
 TABLE(vec3, Vec3Table)
@@ -195,6 +220,13 @@ struct WorldRecord {
     TextureTable textures;
     Vec3Table texels;  // linear RGB
     WhittedTable materials;
+    MediumTable media;
+    MaterialTable surfaces;  // surfaces[i] is materials[i] for light that follows physics
+    EmitterTable emitters;
+    FloatTable distributions;  // cumulative shares, see EmitterRecord
+    FloatTable curves;         // WAVELENGTH_COUNT values each
+    FloatTable upsampling;     // from RGB to smooth spectra, see upsample.h
+    Vec3Table observer;        // linear RGB of one unit at each nanometre
     LightTable lights;
     BandTable bands;
     IntTable tree;       // the device's own search tree, opaque; null where every object is tested against every ray
@@ -210,6 +242,14 @@ struct WorldRecord {
     int triangle_count;
     int instance_count;
     int light_count;
+    int emitter_count;
+    int chosen_by_strength;  // 1: too many emitters to look at each; chosen by `strength` alone
+    int environment;         // the emitter that is the surroundings, -1: none
+    int spectral;            // 0: linear RGB
+    int max_depth;           // vertices of a path after the camera, at most
+    PathLimits limits;
+    FilterRecord filter_record;
+    int seed;
     int band_count;
     int bounces;
     float min_weight;  // of a path worth following
@@ -218,6 +258,9 @@ struct WorldRecord {
     vec3 zenith;
     vec3 horizon;
     vec3 nadir;
+    ColorRecord sky_zenith;  // the same gradient as radiance of the surroundings
+    ColorRecord sky_horizon;
+    ColorRecord sky_nadir;
     CameraRecord camera;
 };
 
@@ -227,8 +270,9 @@ RECORDS_END
 namespace lancer::kernel {
 static_assert(sizeof(vec3) == 12 && sizeof(vec2) == 8, "records have scalar layout");
 static_assert(sizeof(SphereRecord) == 16 && sizeof(BoxRecord) == 24 && sizeof(PlaneRecord) == 76 && sizeof(AffineRecord) == 48 &&
-              sizeof(PlacedRecord) == 156 && sizeof(TriangleRecord) == 36 && sizeof(InstanceRecord) == 104 && sizeof(ObjectRecord) == 24 &&
-              sizeof(TextureRecord) == 68 && sizeof(WhittedRecord) == 84 && sizeof(LightRecord) == 48 && sizeof(CameraRecord) == 48);
+              sizeof(PlacedRecord) == 156 && sizeof(TriangleRecord) == 36 && sizeof(InstanceRecord) == 104 && sizeof(ObjectRecord) == 28 &&
+              sizeof(TextureRecord) == 68 && sizeof(WhittedRecord) == 40 && sizeof(MediumRecord) == 44 && sizeof(LightRecord) == 48 &&
+              sizeof(CameraRecord) == 104);
 }  // namespace lancer::kernel
 #endif
 

@@ -69,16 +69,16 @@ FN Media select_media(Mask mask, IN(Media) a, IN(Media) b) {
     return m;
 }
 
-FN Float material_index(IN(WhittedRecord) material, Float nanometres) {
+FN Float medium_index(IN(MediumRecord) medium, Float nanometres) {
     Float n = Float(1.0f);
-    if (material.refraction == REFRACTION_SELLMEIER) {
+    if (medium.refraction == REFRACTION_SELLMEIER) {
         Float micrometres_2 = nanometres * nanometres * Float(1.0e-6f);
-        Float sum = Float(material.refraction_a.x) * micrometres_2 / (micrometres_2 - Float(material.refraction_b.x)) +
-                    Float(material.refraction_a.y) * micrometres_2 / (micrometres_2 - Float(material.refraction_b.y)) +
-                    Float(material.refraction_a.z) * micrometres_2 / (micrometres_2 - Float(material.refraction_b.z));
+        Float sum = Float(medium.refraction_a.x) * micrometres_2 / (micrometres_2 - Float(medium.refraction_b.x)) +
+                    Float(medium.refraction_a.y) * micrometres_2 / (micrometres_2 - Float(medium.refraction_b.y)) +
+                    Float(medium.refraction_a.z) * micrometres_2 / (micrometres_2 - Float(medium.refraction_b.z));
         n = sqrt(Float(1.0f) + sum);
     } else {
-        n = Float(material.refraction_a.x) + Float(material.refraction_a.y) / (nanometres * nanometres);
+        n = Float(medium.refraction_a.x) + Float(medium.refraction_a.y) / (nanometres * nanometres);
     }
     return n;
 }
@@ -90,7 +90,7 @@ FN Float refractive_index(IN(WorldRecord) world, Int material, Float nanometres,
     while (some(todo)) {
         int number = first_of(material, todo);
         Mask mine = both(todo, is_equal(material, Int(number)));
-        n = select(mine, material_index(AT(world.materials, number), nanometres), n);
+        n = select(mine, medium_index(AT(world.media, number), nanometres), n);
         todo = without(todo, mine);
     }
     return n;
@@ -103,7 +103,7 @@ FN Vec3 transmittance(IN(WorldRecord) world, Int material, Float distance, Mask 
     while (some(todo)) {
         int number = first_of(material, todo);
         Mask mine = both(todo, is_equal(material, Int(number)));
-        vec3 absorption = AT(world.materials, number).absorption;
+        vec3 absorption = AT(world.media, number).absorption;
         Vec3 passes = vec3_of(exponential(Float(-absorption.x) * distance), exponential(Float(-absorption.y) * distance),
                               exponential(Float(-absorption.z) * distance));
         left_over = select(mine, passes, left_over);

@@ -147,7 +147,7 @@ FN void find_surface(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Mask here,
         finish.reflectivity = select(mine, Float(material.reflectivity), finish.reflectivity);
         finish.transparency = select(mine, Float(material.transparency), finish.transparency);
         finish.material = select(mine, Int(object.material), finish.material);
-        if (material.dispersive != 0) {
+        if (AT(world.media, object.material).dispersive != 0) {
             finish.dispersive = either(finish.dispersive, mine);
         }
         todo = without(todo, mine);

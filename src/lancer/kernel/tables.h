@@ -19,6 +19,17 @@ FN Int gather_int(IntTable table, Int index, Mask mask) {
     return Int::load_aligned(out);
 }
 
+FN Float gather_float(FloatTable table, Int index, Mask mask) {
+    alignas(64) std::int32_t at[LANES];
+    alignas(64) float out[LANES] = {};
+    index.store_aligned(at);
+    for (unsigned left = mask_bits(mask); left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        out[lane] = table[at[lane]];
+    }
+    return Float::load_aligned(out);
+}
+
 FN Vec2 gather_vec2(Vec2Table table, Int index, Mask mask) {
     alignas(64) std::int32_t at[LANES];
     alignas(64) float x[LANES] = {};
@@ -53,6 +64,14 @@ FN Int gather_int(IntTable table, Int index, Mask mask) {
     Int value = 0;
     if (mask) {
         value = AT(table, index);
+    }
+    return value;
+}
+
+FN Float gather_float(FloatTable table, Int index, Mask mask) {
+    Float value = Float(0.0f);
+    if (mask) {
+        value = Float(AT(table, index));
     }
     return value;
 }

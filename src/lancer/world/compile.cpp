@@ -36,7 +36,18 @@ kernel::CameraRecord compile_camera(const scene::Camera& camera, int width, int 
     const double across = camera.fov_axis == scene::FovAxis::width ? width : height;
     const double pixel = 2.0 * std::tan(glm::radians(camera.fov) / 2.0) / across;
     const glm::dvec3 corner = forward - right * (pixel * width / 2.0) - down * (pixel * height / 2.0);
-    return {to_float(camera.position), to_float(corner), to_float(right * pixel), to_float(down * pixel)};
+    kernel::CameraRecord record{};
+    record.position = to_float(camera.position);
+    record.corner = to_float(corner);
+    record.step_x = to_float(right * pixel);
+    record.step_y = to_float(down * pixel);
+    record.right = to_float(right);
+    record.down = to_float(down);
+    record.forward = to_float(forward);
+    record.kind = kernel::CAMERA_PERSPECTIVE;
+    record.width = static_cast<float>(width);
+    record.height = static_cast<float>(height);
+    return record;
 }
 
 kernel::LightRecord compile_light(const scene::Light& light) {

@@ -34,7 +34,7 @@ public:
         bool disperses = false;
         for (const scene::Material& material : scene_.materials) {
             std::visit([&](const auto& model) { add(model, material.position); }, material.model);
-            disperses = disperses || world_.materials.back().dispersive != 0;
+            disperses = disperses || world_.media.back().dispersive != 0;
         }
         if (disperses) {
             for (const WavelengthBand& band : wavelength_bands(scene_.settings.wavelengths)) {
@@ -55,10 +55,12 @@ private:
         record.shininess = static_cast<float>(material.shininess);
         record.reflectivity = static_cast<float>(material.reflectivity);
         record.transparency = static_cast<float>(material.transparency);
-        record.absorption = to_float(material.absorption);
-        std::visit([&](const auto& refraction) { set_refraction(refraction, record, position); }, material.refraction);
+        kernel::MediumRecord medium{};
+        medium.absorption = to_float(material.absorption);
+        std::visit([&](const auto& refraction) { set_refraction(refraction, medium, position); }, material.refraction);
         world_.has_transparency = world_.has_transparency || material.transparency > 0.0;
         world_.materials.push_back(record);
+        world_.media.push_back(medium);
     }
 
     void set_color(const scene::Rgb& color, kernel::WhittedRecord& record) { record.color = to_float(color); }
@@ -122,33 +124,33 @@ private:
         return texels;
     }
 
-    void set_refraction(double index, kernel::WhittedRecord& record, const SourcePosition&) {
-        record.refraction = kernel::REFRACTION_CAUCHY;
-        record.refraction_a = kernel::vec3(static_cast<float>(index), 0.0f, 0.0f);
+    void set_refraction(double index, kernel::MediumRecord& medium, const SourcePosition&) {
+        medium.refraction = kernel::REFRACTION_CAUCHY;
+        medium.refraction_a = kernel::vec3(static_cast<float>(index), 0.0f, 0.0f);
     }
 
-    void set_refraction(const scene::AbbeGlass& glass, kernel::WhittedRecord& record, const SourcePosition&) {
+    void set_refraction(const scene::AbbeGlass& glass, kernel::MediumRecord& medium, const SourcePosition&) {
         // n = a + b / L^2 through two of its own values.
         const double f_line = 486.1327;
         const double c_line = 656.2725;
         const double n_f = abbe_index(glass.index, glass.abbe_number, f_line);
         const double n_c = abbe_index(glass.index, glass.abbe_number, c_line);
         const double b = (n_f - n_c) / (1.0 / (f_line * f_line) - 1.0 / (c_line * c_line));
-        record.refraction = kernel::REFRACTION_CAUCHY;
-        record.refraction_a = to_float({n_f - b / (f_line * f_line), b, 0.0});
-        record.dispersive = b != 0.0 ? 1 : 0;
+        medium.refraction = kernel::REFRACTION_CAUCHY;
+        medium.refraction_a = to_float({n_f - b / (f_line * f_line), b, 0.0});
+        medium.dispersive = b != 0.0 ? 1 : 0;
     }
 
-    void set_refraction(const scene::SellmeierGlass& glass, kernel::WhittedRecord& record, const SourcePosition&) {
-        record.refraction = kernel::REFRACTION_SELLMEIER;
-        record.refraction_a = to_float(glass.b);
-        record.refraction_b = to_float(glass.c);
-        record.dispersive = 1;
+    void set_refraction(const scene::SellmeierGlass& glass, kernel::MediumRecord& medium, const SourcePosition&) {
+        medium.refraction = kernel::REFRACTION_SELLMEIER;
+        medium.refraction_a = to_float(glass.b);
+        medium.refraction_b = to_float(glass.c);
+        medium.dispersive = 1;
     }
 
-    void set_refraction(const scene::NamedGlass& glass, kernel::WhittedRecord& record, const SourcePosition& position) {
+    void set_refraction(const scene::NamedGlass& glass, kernel::MediumRecord& medium, const SourcePosition& position) {
         if (const auto known = find_glass(glass.name)) {
-            set_refraction(scene::SellmeierGlass{{known->b[0], known->b[1], known->b[2]}, {known->c[0], known->c[1], known->c[2]}}, record,
+            set_refraction(scene::SellmeierGlass{{known->b[0], known->b[1], known->b[2]}, {known->c[0], known->c[1], known->c[2]}}, medium,
                            position);
         } else {
             diagnostics_.error(position, fmt::format("no glass is called \"{}\"{}", glass.name, did_you_mean(glass.name, glass_names())));

@@ -80,7 +80,7 @@ public:
             }
         } else {
             for (std::size_t i = 0; i < world_.instances.size(); ++i) {
-                by_kind_[kernel::OBJECT_MESH].push_back({kernel::OBJECT_MESH, static_cast<int>(i), instance_materials_[i], 0, 0, 0});
+                by_kind_[kernel::OBJECT_MESH].push_back({kernel::OBJECT_MESH, static_cast<int>(i), instance_materials_[i], 0, 0, 0, -1});
             }
         }
         // The table of placed shapes holds several kinds: it is numbered in the order of its objects.
@@ -116,7 +116,7 @@ private:
 
     template <class T>
     void add_record(std::vector<T>& table, int kind, const T& record, int material) {
-        by_kind_[kind].push_back({kind, static_cast<int>(table.size()), material, 0, 0, 0});
+        by_kind_[kind].push_back({kind, static_cast<int>(table.size()), material, 0, 0, 0, -1});
         table.push_back(record);
     }
 
@@ -257,8 +257,8 @@ private:
         };
         for (int i = 0; i < mesh.triangle_count; ++i) {
             by_kind_[kernel::OBJECT_TRIANGLE].push_back({kernel::OBJECT_TRIANGLE, static_cast<int>(world_.triangles.size()),
-                                                         instance_materials_[static_cast<std::size_t>(instance)], placed.mesh, instance,
-                                                         i});
+                                                         instance_materials_[static_cast<std::size_t>(instance)], placed.mesh, instance, i,
+                                                         -1});
             world_.triangles.push_back({corner(i, 0), corner(i, 1), corner(i, 2)});
         }
     }

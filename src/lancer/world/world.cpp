@@ -28,6 +28,13 @@ kernel::WorldRecord World::record() const {
     r.textures = textures.data();
     r.texels = texels.data();
     r.materials = materials.data();
+    r.media = media.data();
+    r.surfaces = surfaces.data();
+    r.emitters = emitters.data();
+    r.distributions = distributions.data();
+    r.curves = curves.data();
+    r.upsampling = upsampling.data();
+    r.observer = observer.data();
     r.lights = lights.data();
     r.bands = bands.data();
     r.tree = nullptr;
@@ -44,6 +51,16 @@ kernel::WorldRecord World::record() const {
     r.instance_count = static_cast<int>(instances.size());
     r.light_count = static_cast<int>(lights.size());
     r.band_count = static_cast<int>(bands.size());
+    r.emitter_count = static_cast<int>(emitters.size());
+    r.chosen_by_strength = chosen_by_strength ? 1 : 0;
+    r.environment = environment;
+    r.spectral = spectral ? 1 : 0;
+    r.max_depth = max_depth;
+    r.filter_record = filter;
+    r.seed = seed;
+    r.sky_zenith = sky_zenith;
+    r.sky_horizon = sky_horizon;
+    r.sky_nadir = sky_nadir;
     r.bounces = bounces;
     r.min_weight = min_weight;
     r.has_transparency = has_transparency ? 1 : 0;
@@ -58,7 +75,8 @@ kernel::WorldRecord World::record() const {
 std::size_t World::memory() const {
     return bytes(spheres) + bytes(boxes) + bytes(planes) + bytes(placed) + bytes(triangles) + bytes(meshes) + bytes(instances) +
            bytes(objects) + bytes(positions) + bytes(normals) + bytes(uvs) + bytes(indices) + bytes(textures) + bytes(texels) +
-           bytes(materials) + bytes(lights) + bytes(bands);
+           bytes(materials) + bytes(media) + bytes(surfaces) + bytes(emitters) + bytes(distributions) + bytes(curves) + bytes(upsampling) +
+           bytes(observer) + bytes(lights) + bytes(bands);
 }
 
 bool World::is_small() const {

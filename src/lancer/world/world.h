@@ -33,6 +33,13 @@ public:
     std::vector<kernel::TextureRecord> textures;
     std::vector<kernel::vec3> texels;
     std::vector<kernel::WhittedRecord> materials;
+    std::vector<kernel::MediumRecord> media;       // of materials[i]
+    std::vector<kernel::MaterialRecord> surfaces;  // of materials[i]
+    std::vector<kernel::EmitterRecord> emitters;
+    std::vector<float> distributions;
+    std::vector<float> curves;
+    std::vector<float> upsampling;
+    std::vector<kernel::vec3> observer;
     std::vector<kernel::LightRecord> lights;
     std::vector<kernel::BandRecord> bands;
 
@@ -47,6 +54,15 @@ public:
     kernel::vec3 zenith{0.0f};
     kernel::vec3 horizon{0.0f};
     kernel::vec3 nadir{0.0f};
+    kernel::ColorRecord sky_zenith{};
+    kernel::ColorRecord sky_horizon{};
+    kernel::ColorRecord sky_nadir{};
+    kernel::FilterRecord filter{};
+    bool spectral = false;
+    bool chosen_by_strength = false;
+    int environment = -1;
+    int max_depth = 0;
+    int seed = 0;
     int bounces = 0;
     float min_weight = 0.0f;
     bool has_transparency = false;

@@ -1,0 +1,63 @@
+// Any BSDF: lanes of the same kind are done together.
+#ifndef LANCER_KERNEL_BSDF_BSDF_H
+#define LANCER_KERNEL_BSDF_BSDF_H
+
+#include "lancer/kernel/bsdf/conductor.h"
+#include "lancer/kernel/bsdf/dielectric.h"
+#include "lancer/kernel/bsdf/diffuse.h"
+
+NAMESPACE_BEGIN
+
+// Whether all that the surface does is mirror and let through: no direction that was drawn elsewhere can be right.
+FN Mask is_smooth(IN(Closure) c) {
+    Mask facets = either(is_equal(c.kind, Int(BSDF_CONDUCTOR)), is_equal(c.kind, Int(BSDF_DIELECTRIC)));
+    return either(without(facets, is_rough(c)), is_equal(c.kind, Int(BSDF_THIN_DIELECTRIC)));
+}
+
+// Value and density of a direction that was drawn elsewhere; smooth surfaces have none.
+FN BsdfValue bsdf_value(IN(Closure) c, Vec3 wo, Vec3 wi, Mask mask) {
+    BsdfValue value = no_value();
+    Mask todo = mask;
+    while (some(todo)) {
+        int kind = first_of(c.kind, todo);
+        Mask mine = both(todo, is_equal(c.kind, Int(kind)));
+        if (kind == BSDF_DIFFUSE) {
+            value = select_value(mine, diffuse_value(c, wi), value);
+        } else if (kind == BSDF_ROUGH_DIFFUSE) {
+            value = select_value(mine, rough_diffuse_value(c, wo, wi), value);
+        } else if (kind == BSDF_CONDUCTOR) {
+            value = select_value(mine, conductor_value(c, wo, wi), value);
+        } else if (kind == BSDF_DIELECTRIC) {
+            value = select_value(mine, dielectric_value(c, wo, wi), value);
+        }
+        todo = without(todo, mine);
+    }
+    return value;
+}
+
+// A direction for the path to go on, by three numbers in [0, 1).
+FN BsdfSample bsdf_sample(IN(Closure) c, Vec3 wo, Float choice, Vec2 u, Mask mask) {
+    BsdfSample drawn = no_sample();
+    Mask todo = mask;
+    while (some(todo)) {
+        int kind = first_of(c.kind, todo);
+        Mask mine = both(todo, is_equal(c.kind, Int(kind)));
+        if (kind == BSDF_DIFFUSE) {
+            drawn = select_sample(mine, diffuse_sample(c, u), drawn);
+        } else if (kind == BSDF_ROUGH_DIFFUSE) {
+            drawn = select_sample(mine, rough_diffuse_sample(c, wo, u), drawn);
+        } else if (kind == BSDF_CONDUCTOR) {
+            drawn = select_sample(mine, conductor_sample(c, wo, u), drawn);
+        } else if (kind == BSDF_DIELECTRIC) {
+            drawn = select_sample(mine, dielectric_sample(c, wo, choice, u), drawn);
+        } else if (kind == BSDF_THIN_DIELECTRIC) {
+            drawn = select_sample(mine, thin_dielectric_sample(c, wo, choice), drawn);
+        }
+        todo = without(todo, mine);
+    }
+    return drawn;
+}
+
+NAMESPACE_END
+
+#endif

@@ -1,0 +1,103 @@
+// Records of light that follows physics: spectra, materials, emitters. Included by records.h.
+#ifndef LANCER_KERNEL_PHYSICAL_RECORDS_H
+#define LANCER_KERNEL_PHYSICAL_RECORDS_H
+
+#include "lancer/kernel/language.h"
+
+RECORDS_BEGIN
+
+// A reflectance, an index or a light, at any point of a surface. Spectral: scale * (texture, curve or smooth spectrum of three coefficients) *
+// illuminant; as RGB: `rgb`, or scale * texture.
+struct ColorRecord {
+    vec3 rgb;           // all of it, where there is no texture
+    vec3 coefficients;  // see upsample.h
+    float scale;
+    int curve;       // into curves, -1: none
+    int illuminant;  // into curves, -1: a constant 1
+    int texture;     // into textures, -1: none
+};
+
+// How light scatters. Each kind has its file in bsdf/.
+const int BSDF_NONE = 0;  // all light is swallowed
+const int BSDF_DIFFUSE = 1;
+const int BSDF_ROUGH_DIFFUSE = 2;
+const int BSDF_CONDUCTOR = 3;
+const int BSDF_DIELECTRIC = 4;
+const int BSDF_THIN_DIELECTRIC = 5;
+const int BSDF_KINDS = 6;
+
+const int MATERIAL_EMITS = 1;
+const int MATERIAL_EMITS_BEHIND = 2;  // on its inner side, too
+const int MATERIAL_ONE_SIDED = 4;     // seen from within it is black
+
+struct MaterialRecord {
+    int kind;
+    int flags;
+    ColorRecord color;
+    ColorRecord index;       // conductors: n
+    ColorRecord extinction;  // conductors: k
+    ColorRecord emission;    // radiance
+    float roughness_x;       // of microfacets: alpha; of rough diffuse surfaces: 0 to 1
+    float roughness_y;
+    ColorRecord clearness;  // of a transparent body: what is left of light after `clear_distance` metres
+    float clear_distance;   // 0: all is left, whatever the distance
+};
+
+const int EMITTER_POINT = 0;
+const int EMITTER_SPOT = 1;
+const int EMITTER_DIRECTIONAL = 2;
+const int EMITTER_ENVIRONMENT = 3;
+const int EMITTER_SPHERE = 4;    // spheres[index]
+const int EMITTER_TRIANGLE = 5;  // triangles[index]
+const int EMITTER_MESH = 6;      // instances[index]
+const int EMITTER_PLACED = 7;    // placed[index]
+const int EMITTER_KINDS = 8;
+
+struct EmitterRecord {
+    int kind;
+    int index;
+    int object;    // -1: none, a light without size
+    int material;  // of the object
+    int two_sided;
+    ColorRecord light;  // radiant intensity, irradiance or radiance of lights that are no objects
+    vec3 position;
+    vec3 direction;  // the way the light travels
+    float cos_outer;
+    float cos_inner;
+    float strength;    // about the irradiance it makes: of the far ones as it is, of near ones at a distance of one metre
+    vec3 middle;       // of a sphere around it
+    float radius;      // of that sphere
+    float area;        // in world space; of placed shapes in their own
+    float side_share;  // of that area, the side of a cone
+    float base_share;  // and its lower cap
+    int first_share;   // meshes: into distributions, triangle_count cumulative shares of the area
+    int share_count;
+};
+
+// Depths beyond which a path ends, by what it does there.
+struct PathLimits {
+    int diffuse;
+    int glossy;
+    int transmission;
+};
+
+const int FILTER_BOX = 0;
+const int FILTER_TENT = 1;
+const int FILTER_GAUSSIAN = 2;
+const int FILTER_MITCHELL = 3;
+const int FILTER_BLACKMAN_HARRIS = 4;
+
+struct FilterRecord {
+    int kind;
+    float radius;  // pixels
+};
+
+RECORDS_END
+
+#ifdef __cplusplus
+namespace lancer::kernel {
+static_assert(sizeof(ColorRecord) == 40 && sizeof(MaterialRecord) == 220 && sizeof(EmitterRecord) == 132);
+}  // namespace lancer::kernel
+#endif
+
+#endif
