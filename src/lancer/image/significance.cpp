@@ -26,12 +26,12 @@ private:
     double spread_ = 0.0;
 };
 
+}  // namespace
+
 bool is_finite(const NoisyChannel& channel, std::size_t pixel) {
     return std::all_of(channel.runs.begin(), channel.runs.end(), [pixel](const auto& run) { return std::isfinite(run[pixel]); }) &&
            (channel.variances.empty() || std::isfinite(channel.variances[pixel]));
 }
-
-}  // namespace
 
 double WelchTest::t() const {
     return error > 0.0 ? difference / error : difference == 0.0 ? 0.0 : std::copysign(std::numeric_limits<double>::infinity(), difference);

@@ -1,6 +1,7 @@
 // Whether two pictures differ by more than their noise: Welch's test [Welch 1947] of their means, of their blocks and of their pixels.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -36,8 +37,11 @@ struct NoisyChannel {
     bool is_exact() const { return runs.size() < 2 && variances.empty(); }
 };
 
+// Whether the pixel is finite in all of the runs, and its variance, too.
+bool is_finite(const NoisyChannel& channel, std::size_t pixel);
+
 // The mean of the whole picture, or of the rectangle [x0, x1) x [y0, y1) of a picture that is `width` wide. Pixels count as independent; those
-// that are not finite in any of the runs, or marked in `skip` (empty: none), are left out. `count` receives how many were in. The rounding of
+// marked in `skip` (empty: none) are left out. `count` receives how many were in. The rounding of
 // the file counts as noise, too.
 struct Rectangle {
     int x0, y0, x1, y1;
