@@ -19,6 +19,18 @@ struct Closure {
     Mask disperses;  // `index` differs from wavelength to wavelength: what is refracted goes on with the first only
 };
 
+FN Closure no_closure() {
+    Closure c;
+    c.kind = Int(BSDF_NONE);
+    c.color = black();
+    c.index = vec4_all(Float(1.0f));
+    c.extinction = black();
+    c.roughness_x = Float(0.0f);
+    c.roughness_y = Float(0.0f);
+    c.disperses = Float(1.0f) < Float(0.0f);
+    return c;
+}
+
 struct BsdfValue {
     Spectrum value;  // f |cos wi|
     Float density;

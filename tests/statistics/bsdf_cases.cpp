@@ -1,0 +1,110 @@
+#include "statistics/bsdf_cases.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace lancer::statistics {
+namespace {
+
+using namespace kernel;
+
+Closure closure_of(int kind, const Spectrum& color) {
+    Closure c = no_closure();
+    c.kind = kind;
+    c.color = color;
+    return c;
+}
+
+const Spectrum tinted = vec4_of(0.8f, 0.4f, 0.2f, 0.6f);
+const Spectrum white = vec4_all(1.0f);
+
+Closure rough(Closure c, float x, float y) {
+    c.roughness_x = x;
+    c.roughness_y = y;
+    return c;
+}
+
+Closure conductor(const Spectrum& color, float x, float y, bool perfect) {
+    Closure c = rough(closure_of(BSDF_CONDUCTOR, color), x, y);
+    // Gold from 480 to 700 nm, about; or a mirror without loss.
+    c.index = perfect ? vec4_all(0.0f) : vec4_of(0.13f, 0.35f, 0.85f, 1.3f);
+    c.extinction = perfect ? vec4_all(1.0f) : vec4_of(3.8f, 2.6f, 1.9f, 1.8f);
+    return c;
+}
+
+BsdfCase dielectric(const std::string& name, const Spectrum& color, float eta, float x, float y) {
+    BsdfCase d;
+    d.name = fmt::format("{} index {} roughness {} {}", name, eta, x, y);
+    d.closure = rough(closure_of(BSDF_DIELECTRIC, color), x, y);
+    d.closure.index = vec4_all(eta);
+    d.other_side = d.closure;
+    d.other_side.index = vec4_all(1.0f / eta);
+    d.transmits = true;
+    return d;
+}
+
+BsdfCase opaque(const std::string& name, const Closure& closure) {
+    BsdfCase c;
+    c.name = name;
+    c.closure = closure;
+    c.other_side = closure;
+    return c;
+}
+
+}  // namespace
+
+std::vector<BsdfCase> bsdf_cases() {
+    std::vector<BsdfCase> cases;
+    cases.push_back(opaque("none", closure_of(BSDF_NONE, white)));
+    cases.push_back(opaque("diffuse", closure_of(BSDF_DIFFUSE, tinted)));
+    for (const float r : {0.0f, 0.3f, 1.0f}) {
+        cases.push_back(opaque(fmt::format("rough diffuse {}", r), rough(closure_of(BSDF_ROUGH_DIFFUSE, tinted), r, r)));
+    }
+    for (const auto& [x, y] :
+         {std::pair{0.0f, 0.0f}, {0.05f, 0.05f}, {0.2f, 0.2f}, {0.1f, 0.4f}, {0.6f, 0.6f}, {1.0f, 1.0f}, {1.0f, 0.2f}}) {
+        cases.push_back(opaque(fmt::format("conductor {} {}", x, y), conductor(tinted, x, y, false)));
+    }
+    for (const float eta : {1.5f, 1.0f / 1.5f, 1.1f, 2.4f}) {
+        for (const auto& [x, y] : {std::pair{0.0f, 0.0f}, {0.1f, 0.1f}, {0.5f, 0.5f}, {0.2f, 0.6f}, {1.0f, 1.0f}}) {
+            cases.push_back(dielectric("dielectric", tinted, eta, x, y));
+        }
+    }
+    BsdfCase thin = opaque("thin dielectric", closure_of(BSDF_THIN_DIELECTRIC, tinted));
+    thin.closure.index = vec4_all(1.5f);
+    thin.other_side = thin.closure;
+    thin.transmits = true;
+    cases.push_back(thin);
+    return cases;
+}
+
+std::vector<BsdfCase> white_cases() {
+    std::vector<BsdfCase> cases;
+    cases.push_back(opaque("diffuse", closure_of(BSDF_DIFFUSE, white)));
+    for (const float r : {0.0f, 0.2f, 0.5f, 1.0f}) {
+        cases.push_back(opaque(fmt::format("rough diffuse {}", r), rough(closure_of(BSDF_ROUGH_DIFFUSE, white), r, r)));
+    }
+    cases.push_back(opaque("conductor 0", conductor(white, 0.0f, 0.0f, true)));
+    BsdfCase thin = opaque("thin dielectric", closure_of(BSDF_THIN_DIELECTRIC, white));
+    thin.closure.index = vec4_all(1.5f);
+    thin.transmits = true;
+    cases.push_back(thin);
+    cases.push_back(dielectric("dielectric", white, 1.5f, 0.0f, 0.0f));
+    for (BsdfCase& c : cases) {
+        c.white = true;
+    }
+    return cases;
+}
+
+Vec3 direction_of(double cosine, double angle) {
+    const double sine = std::sqrt(1.0 - cosine * cosine);
+    return vec3_of(static_cast<float>(sine * std::cos(angle)), static_cast<float>(sine * std::sin(angle)), static_cast<float>(cosine));
+}
+
+BsdfValue value_of(const Closure& closure, const Vec3& wo, const Vec3& wi) { return bsdf_value(closure, wo, wi, true); }
+
+BsdfSample sample_of(const Closure& closure, const Vec3& wo, double choice, double u, double v) {
+    return bsdf_sample(closure, wo, static_cast<float>(choice), vec2_of(static_cast<float>(u), static_cast<float>(v)), true);
+}
+
+}  // namespace lancer::statistics

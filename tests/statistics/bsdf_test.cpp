@@ -1,0 +1,158 @@
+// Every BSDF: draws with the density that it states, loses and gains no light that it should not, and is the same both ways.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "statistics/bsdf_cases.h"
+#include "statistics/chi_squared.h"
+
+namespace lancer::statistics {
+namespace {
+
+using namespace kernel;
+
+constexpr double cosines[] = {0.98, 0.6, 0.15};
+constexpr double pi = 3.14159265358979323846;
+
+// A direction of a place on the unit square: y from -z to +z, x around.
+Vec3 on_square(double x, double y) { return direction_of(2.0 * y - 1.0, (2.0 * x - 1.0) * pi); }
+
+bool same(float a, float b, float relative, float absolute) {
+    return std::abs(a - b) <= absolute + relative * std::max(std::abs(a), std::abs(b));
+}
+
+TEST(Bsdf, EveryKindIsTested) {
+    std::set<int> kinds;
+    for (const BsdfCase& c : bsdf_cases()) {
+        kinds.insert(c.closure.kind);
+    }
+    for (int kind = 0; kind < BSDF_KINDS; ++kind) {
+        EXPECT_TRUE(kinds.count(kind)) << "BSDF kind " << kind << " has no case in tests/statistics/bsdf_cases.cpp";
+    }
+}
+
+// Where the draws fall is what the density says; it and what is not drawn make 1; the mean weight is the integral of the value.
+TEST(Bsdf, DrawsWithItsDensity) {
+    constexpr int draws = 60000;
+    std::mt19937 numbers(1);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    for (const BsdfCase& c : bsdf_cases()) {
+        for (const double cosine : cosines) {
+            SCOPED_TRACE(c.name + " seen at cosine " + std::to_string(cosine));
+            const Vec3 wo = direction_of(cosine, 0.7);
+            Cells cells(40, 24);
+            double weight = 0.0;
+            double weight_2 = 0.0;
+            int wrong_weights = 0;
+            for (int i = 0; i < draws; ++i) {
+                const BsdfSample s = sample_of(c.closure, wo, uniform(numbers), uniform(numbers), uniform(numbers));
+                if (!s.valid) {
+                    cells.count_elsewhere();
+                    continue;
+                }
+                ASSERT_TRUE(std::isfinite(s.weight.x) && s.weight.x >= 0.0f && std::isfinite(s.density) && s.density >= 0.0f);
+                const double x = double(s.weight.x);
+                ASSERT_EQ(s.transmits, s.wi.z < 0.0f);
+                ASSERT_NEAR(double(length(s.wi)), 1.0, 2e-5);
+                if (s.discrete) {
+                    ASSERT_EQ(s.density, 0.0f);
+                    cells.count_elsewhere();
+                    weight += x;
+                    weight_2 += x * x;
+                    continue;
+                }
+                cells.count(std::atan2(double(s.wi.y), double(s.wi.x)) / (2.0 * pi) + 0.5, 0.5 * double(s.wi.z) + 0.5);
+                weight += x;
+                weight_2 += x * x;
+                const BsdfValue v = value_of(c.closure, wo, s.wi);
+                // The half vector loses digits where wi is all but opposite to wo: a few draws may differ more.
+                wrong_weights += same(v.density, s.density, 0.01f, 1e-6f) && same(v.value.x, s.weight.x * s.density, 0.01f, 1e-6f) &&
+                                         same(v.value.w, s.weight.w * s.density, 0.01f, 1e-6f)
+                                     ? 0
+                                     : 1;
+            }
+            EXPECT_LE(wrong_weights, draws / 2000);
+            Pair sum;
+            const auto density = [&](double x, double y) {
+                const BsdfValue v = value_of(c.closure, wo, on_square(x, y));
+                return Pair{double(v.density) * 4.0 * pi, double(v.value.x) * 4.0 * pi};
+            };
+            const auto expected = cells.expect(density, 4e-6, sum);
+            const Verdict verdict = compare_counts(cells.counts(), expected);
+            EXPECT_TRUE(verdict.right()) << verdict.words() << "; density integrates to " << sum.density << ", drawn elsewhere "
+                                         << cells.counts().back() / draws;
+            EXPECT_LE(sum.density, 1.0 + 2e-3);
+            // Of what has a density only, as mirrors are left out of the integral.
+            if (!is_smooth(c.closure)) {
+                const double mean_weight = weight / draws;
+                const double error = std::sqrt(std::max(weight_2 / draws - mean_weight * mean_weight, 0.0) / draws);
+                if (expected.back() < 1.0 || !c.closure.kind) {
+                    EXPECT_NEAR(mean_weight, sum.value, 5.0 * error + 1e-3);
+                }
+            }
+            EXPECT_LE(weight / draws, 1.0 / std::min(1.0, double(c.closure.index.x * c.closure.index.x)) + 1e-3);
+        }
+    }
+}
+
+// f(a, b) = f(b, a); through a border the radiance is divided by the squared index of its side.
+TEST(Bsdf, IsTheSameBothWays) {
+    std::mt19937 numbers(2);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    for (const BsdfCase& c : bsdf_cases()) {
+        if (!c.reciprocal) {
+            continue;
+        }
+        SCOPED_TRACE(c.name);
+        for (int i = 0; i < 2000; ++i) {
+            const Vec3 a = direction_of(0.02 + 0.98 * uniform(numbers), 2.0 * pi * uniform(numbers));
+            Vec3 b = direction_of(0.02 + 0.98 * uniform(numbers), 2.0 * pi * uniform(numbers));
+            const Spectrum there = value_of(c.closure, a, b).value / b.z;
+            const Spectrum back = value_of(c.closure, b, a).value / a.z;
+            ASSERT_TRUE(same(there.x, back.x, 2e-3f, 1e-5f) && same(there.z, back.z, 2e-3f, 1e-5f)) << there.x << " " << back.x;
+            // From below: the frame is turned over.
+            const Vec3 below = vec3_of(b.x, -b.y, -b.z);
+            const Vec3 turned = vec3_of(below.x, -below.y, -below.z);
+            const Vec3 a_turned = vec3_of(a.x, -a.y, -a.z);
+            const Spectrum through = value_of(c.closure, a, below).value / b.z;
+            if (!c.transmits) {
+                ASSERT_EQ(through.x, 0.0f);
+                ASSERT_EQ(value_of(c.closure, a, below).density, 0.0f);
+                continue;
+            }
+            const Spectrum through_back = value_of(c.other_side, turned, a_turned).value / a.z;
+            const float eta_2 = c.closure.index.x * c.closure.index.x;
+            ASSERT_TRUE(same(through.x * eta_2, through_back.x, 3e-3f, 1e-4f)) << through.x * eta_2 << " " << through_back.x;
+        }
+    }
+}
+
+// In a furnace of radiance 1 (index squared times 1 inside of a body) a surface that swallows nothing can't be told from it.
+TEST(Bsdf, WhiteFurnaceStaysWhite) {
+    for (const BsdfCase& c : white_cases()) {
+        for (const double cosine : {1.0, 0.7, 0.4, 0.15, 0.05}) {
+            SCOPED_TRACE(c.name + " seen at cosine " + std::to_string(cosine));
+            const Vec3 wo = direction_of(cosine, 0.3);
+            const double eta = c.transmits && c.closure.kind != BSDF_THIN_DIELECTRIC ? double(c.closure.index.x) : 1.0;
+            double sum = 0.0;
+            constexpr int side = 300;
+            for (int i = 0; i < side * side; ++i) {
+                // A grid, and the golden ratio's multiples.
+                const double u = (i % side + 0.5) / side;
+                const double v = (i / side + 0.5) / side;
+                const double choice = std::fmod(i * 0.61803398874989485, 1.0);
+                const BsdfSample s = sample_of(c.closure, wo, choice, u, v);
+                if (s.valid) {
+                    sum += double(s.weight.x) * (s.transmits ? eta * eta : 1.0);
+                }
+            }
+            EXPECT_NEAR(sum / (side * side), 1.0, c.furnace);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lancer::statistics
