@@ -17,8 +17,8 @@ constexpr double observer_last = cie_1931_first + cie_1931_step * (cie_1931_coun
 // Where the observer or a curve bends.
 std::vector<double> knots_of(const SpectralCurve& a, const SpectralCurve& b) {
     std::vector<double> knots;
-    for (int i = 0; i < cie_1931_count; ++i) {
-        knots.push_back(cie_1931_first + cie_1931_step * i);
+    for (double nm = observer_first; nm <= observer_last; nm += 1.0) {
+        knots.push_back(nm);
     }
     for (const SpectralCurve* curve : {&a, &b}) {
         for (const double nm : curve->nanometres()) {
@@ -42,7 +42,7 @@ glm::dvec3 integrate(const SpectralCurve& a, const SpectralCurve& b) {
         const double width = knots[i + 1] - knots[i];
         const double middle = 0.5 * (knots[i] + knots[i + 1]);
         for (const double nm : {middle - offset * width, middle + offset * width}) {
-            sum += 0.5 * width * a.at(nm) * b.at(nm) * cie_1931(nm);
+            sum += 0.5 * width * a.at(nm) * b.at(nm) * cie_1931_fine(nm);
         }
     }
     return sum;

@@ -43,7 +43,7 @@ private:
     Beyond beyond_;
 };
 
-// XYZ of light, exactly integrated over the observer's straight-lined table: 360 to 830 nm, 5 nm. A light of 1 at every wavelength has Y = 1.
+// XYZ of light, exactly integrated over the observer's fine table: 360 to 830 nm, 1 nm. A light of 1 at every wavelength has Y = 1.
 glm::dvec3 to_xyz(const SpectralCurve& light);
 // XYZ of a reflectance under a light: a perfect white has Y = 1. 0 under a light that nobody sees.
 glm::dvec3 to_xyz(const SpectralCurve& reflectance, const SpectralCurve& light);

@@ -3,8 +3,10 @@
 #include "lancer/spectrum/cie_1931.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
@@ -14,6 +16,45 @@ namespace {
 glm::dvec3 table_at(int i) {
     const auto& row = cie_1931_table[static_cast<std::size_t>(i)];
     return {row[0], row[1], row[2]};
+}
+
+constexpr int fine_count = cie_1931_step * (cie_1931_count - 1) + 1;
+
+// Beyond its ends, the table goes on as straight as it can without falling below 0.
+glm::dvec3 continued_table_at(int i) {
+    if (i < 0) {
+        return i < -1 ? glm::dvec3(0.0) : glm::max(2.0 * table_at(0) - table_at(1), glm::dvec3(0.0));
+    }
+    if (i >= cie_1931_count) {
+        const int last = cie_1931_count - 1;
+        return glm::max(table_at(last) + static_cast<double>(i - last) * (table_at(last) - table_at(last - 1)), glm::dvec3(0.0));
+    }
+    return table_at(i);
+}
+
+// The polynomial of the fifth degree through y[2] and y[3] whose first two derivatives there are those of polynomials of the fourth degree
+// through five neighbours [Sprague 1880].
+glm::dvec3 sprague(const std::array<glm::dvec3, 6>& y, double t) {
+    const glm::dvec3 a1 = 2.0 * y[0] - 16.0 * y[1] + 16.0 * y[3] - 2.0 * y[4];
+    const glm::dvec3 a2 = -y[0] + 16.0 * y[1] - 30.0 * y[2] + 16.0 * y[3] - y[4];
+    const glm::dvec3 a3 = -9.0 * y[0] + 39.0 * y[1] - 70.0 * y[2] + 66.0 * y[3] - 33.0 * y[4] + 7.0 * y[5];
+    const glm::dvec3 a4 = 13.0 * y[0] - 64.0 * y[1] + 126.0 * y[2] - 124.0 * y[3] + 61.0 * y[4] - 12.0 * y[5];
+    const glm::dvec3 a5 = 5.0 * (-y[0] + 5.0 * y[1] - 10.0 * y[2] + 10.0 * y[3] - 5.0 * y[4] + y[5]);
+    return y[2] + t * (a1 + t * (a2 + t * (a3 + t * (a4 + t * a5)))) / 24.0;
+}
+
+std::array<glm::dvec3, fine_count> make_fine_table() {
+    std::array<glm::dvec3, fine_count> table;
+    for (int i = 0; i < fine_count; ++i) {
+        const int before = std::min(i / cie_1931_step, cie_1931_count - 2);
+        std::array<glm::dvec3, 6> neighbours;
+        for (int k = 0; k < 6; ++k) {
+            neighbours[static_cast<std::size_t>(k)] = continued_table_at(before - 2 + k);
+        }
+        const double t = static_cast<double>(i) / cie_1931_step - before;
+        table[static_cast<std::size_t>(i)] = glm::max(sprague(neighbours, t), glm::dvec3(0.0));
+    }
+    return table;
 }
 
 // XYZ of a chromaticity at luminance 1.
@@ -81,12 +122,26 @@ glm::dvec3 cie_1931(double wavelength_nm) {
     return table_at(i) * (1.0 - t) + table_at(i + 1) * t;
 }
 
-double cie_1931_area() {
-    double sum = 0.0;
-    for (int i = 0; i < cie_1931_count; ++i) {
-        sum += table_at(i).y * (i == 0 || i + 1 == cie_1931_count ? 0.5 : 1.0);
+glm::dvec3 cie_1931_fine(double wavelength_nm) {
+    static const std::array<glm::dvec3, fine_count> table = make_fine_table();
+    const double place = wavelength_nm - cie_1931_first;
+    if (!(place >= 0.0 && place <= fine_count - 1)) {
+        return glm::dvec3(0.0);
     }
-    return sum * cie_1931_step;
+    const auto i = static_cast<std::size_t>(std::min(place, fine_count - 2.0));
+    const double t = place - static_cast<double>(i);
+    return table[i] * (1.0 - t) + table[i + 1] * t;
+}
+
+double cie_1931_area() {
+    static const double area = [] {
+        double sum = -0.5 * (table_at(0).y + table_at(cie_1931_count - 1).y);
+        for (int i = 0; i < fine_count; ++i) {
+            sum += cie_1931_fine(cie_1931_first + i).y;
+        }
+        return sum;
+    }();
+    return area;
 }
 
 // The columns are the primaries' XYZ, scaled so that (1, 1, 1) is the white. From the chromaticities, not from the four-digit matrix that

@@ -16,7 +16,7 @@ glm::dvec3 to_sensor_rgb(const glm::dvec3& xyz) {
 
 }  // namespace
 
-glm::dvec3 sensor_weight(double nanometres) { return to_sensor_rgb(cie_1931(nanometres) / cie_1931_area()); }
+glm::dvec3 sensor_weight(double nanometres) { return to_sensor_rgb(cie_1931_fine(nanometres) / cie_1931_area()); }
 
 glm::dvec3 to_rgb(const SpectralCurve& light) { return to_sensor_rgb(to_xyz(light)); }
 
