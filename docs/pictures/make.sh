@@ -16,6 +16,12 @@ picture() {
     "$lancer" render "scenes/$scene.toml" -o "docs/pictures/$name.png" --progress plain "$@" 2>/dev/null
 }
 
+# flip NAME PICTURE REFERENCE: the map of what differs between two pictures of this folder
+flip() {
+    [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " == *" $1 "* ]] || return 0
+    "$lancer" compare "docs/pictures/$2.png" "docs/pictures/$3.png" --flip-image "docs/pictures/$1.png" > /dev/null
+}
+
 small=(--size 640x360)
 picture figure-1 report/figure-1 --size 960x540
 for camera in fov-90 fov-130 level; do
@@ -30,6 +36,7 @@ picture three-lights report/lights "${small[@]}"
 picture first first --size 640x360
 picture aliased features/adaptive --aa uniform --ssaa 1 --size 480x270
 picture ssaa-4 features/adaptive --aa uniform --ssaa 4 --size 480x270
+flip flip-aliasing aliased ssaa-4
 picture adaptive features/adaptive --size 480x270 --sample-map docs/pictures/adaptive-samples.png
 picture prism features/prism --size 960x540
 for feature in sphere box plane disk cylinder cone mesh-inline mesh-obj mesh-ply transforms groups materials transparency absorption glasses \

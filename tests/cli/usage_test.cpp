@@ -19,7 +19,7 @@ TEST(Help, IsSpeltInManyWays) {
     const Finished plain = run_lancer(folder, {"--help"});
     EXPECT_EQ(plain.status, 0);
     for (const char* word :
-         {"view", "render", "info", "figures", "schema", "bench", "--threads", "--render-all", "Example:", "Exit status"}) {
+         {"view", "render", "info", "compare", "figures", "schema", "bench", "--threads", "--render-all", "Example:", "Exit status"}) {
         EXPECT_THAT(plain.out, HasSubstr(word));
     }
     for (const char* spelling : {"-help", "-h"}) {
@@ -31,7 +31,7 @@ TEST(Help, IsSpeltInManyWays) {
 
 TEST(Help, ShowsAnExampleForEachSubcommand) {
     const Folder folder;
-    for (const char* name : {"view", "render", "info", "figures", "schema", "bench"}) {
+    for (const char* name : {"view", "render", "info", "compare", "figures", "schema", "bench"}) {
         const Finished help = run_lancer(folder, {name, "--help"});
         EXPECT_EQ(help.status, 0) << name;
         EXPECT_THAT(help.out, HasSubstr(std::string("Example:\n  lancer ") + name));
