@@ -45,9 +45,10 @@ TEST(Probability, OfBetaAndGammaHasItsClosedForms) {
 }
 
 TEST(Probability, OfTheNormalIsTurnedRound) {
-    for (const double z : {0.0, 0.1, 1.0, 5.0, 20.0}) {
+    for (const double z : {0.0, 1e-6, 0.1, 1.0, 5.0, 20.0, 36.0}) {
         EXPECT_NEAR(normal_from_two_sided(std::erfc(z / std::numbers::sqrt2)), z, 1e-9);
     }
+    EXPECT_EQ(normal_from_two_sided(0.0), farthest_normal);
 }
 
 // By hand: variances 1 and 4 of means of 4 and 5 numbers.

@@ -15,7 +15,9 @@ double student_two_sided(double t, double freedom);
 // The chance that `chi2` is exceeded under chi-squared with `freedom` degrees [Pearson 1900].
 double chi_squared_above(double chi2, double freedom);
 
-// The z >= 0 that a normal variable exceeds in size with chance p in (0, 1]; the other way round than student_two_sided(z, infinity).
+// The z >= 0 that a normal variable exceeds in size with chance p in [0, 1]; the other way round than student_two_sided(z, infinity). At most
+// `farthest_normal`, for what is rarer than any double tells.
+inline constexpr double farthest_normal = 37.0;
 double normal_from_two_sided(double p);
 
 }  // namespace lancer
