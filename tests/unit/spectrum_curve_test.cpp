@@ -93,6 +93,7 @@ TEST(CurveFile, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(parse("# nothing\n").messages,
               std::vector<std::string>{"lamp.csv: error: no values: expected lines with a wavelength in nm and a value"});
     EXPECT_EQ(parse("400 nan\n").messages, std::vector<std::string>{"lamp.csv:1:5: error: expected a number, found \"nan\""});
+    EXPECT_EQ(parse("400 1e308\n401 -1e308\n").messages.front(), "lamp.csv:1:5: error: expected a number, found \"1e308\"");
     EXPECT_EQ(parse("-400 1\n").messages,
               std::vector<std::string>{"lamp.csv:1:1: error: expected a wavelength above 0 nm, found \"-400\""});
     const Parsed micrometres = parse("0.4 1\n0.5 2\n");

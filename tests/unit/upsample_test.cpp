@@ -51,7 +51,7 @@ TEST(Upsampling, RoundTripOverTheCube) {
     const SmoothSpectrumFit fit;
     Colors colors;
     constexpr int count = 20000;
-    double mean = 0.0, worst = 0.0, worst_on_faces = 0.0;
+    double mean = 0.0, worst = 0.0, worst_on_faces = 0.0, worst_near_white = 0.0;
     for (int i = 0; i < count; ++i) {
         const glm::dvec3 inside = colors.any();
         const double error = largest(fit.rgb_of(smooth_reflectance(inside).coefficients) - inside);
@@ -60,12 +60,18 @@ TEST(Upsampling, RoundTripOverTheCube) {
         const glm::dvec3 outside = colors.on_a_face();
         worst_on_faces = std::max(worst_on_faces, largest(fit.rgb_of(smooth_reflectance(outside).coefficients) - outside));
     }
+    for (int i = 0; i < count / 10; ++i) {
+        const glm::dvec3 pale = 1.0 - 0.02 * colors.any();
+        worst_near_white = std::max(worst_near_white, largest(fit.rgb_of(smooth_reflectance(pale).coefficients) - pale));
+    }
+    RecordProperty("worst_near_white", std::to_string(worst_near_white));
     RecordProperty("mean", std::to_string(mean));
     RecordProperty("worst", std::to_string(worst));
     RecordProperty("worst_on_faces", std::to_string(worst_on_faces));
     EXPECT_LT(mean, 2.5e-4);
     EXPECT_LT(worst, 1e-3);
     EXPECT_LT(worst_on_faces, 1.5e-3);
+    EXPECT_LT(worst_near_white, 3e-4);
 }
 
 // The fit integrates as the rest of the program does, and finds each colour's spectrum.

@@ -11,7 +11,8 @@ namespace lancer {
 namespace {
 
 constexpr std::size_t largest_file = std::size_t{16} << 20;  // bytes
-constexpr int most_errors = 10;                              // a file of another kind has one on every line
+constexpr double largest_number = 1e100;
+constexpr int most_errors = 10;  // a file of another kind has one on every line
 
 struct Field {
     std::string_view text;
@@ -51,8 +52,8 @@ std::optional<double> to_number(std::string_view text) {
     }
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    // from_chars also knows "inf" and "nan", which measure nothing.
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    // from_chars also knows "inf" and "nan", which measure nothing; and differences must stay finite.
+    if (error != std::errc() || end != text.data() + text.size() || !(std::fabs(value) <= largest_number)) {
         return std::nullopt;
     }
     return value;
