@@ -155,6 +155,39 @@ TEST_F(Layers, CantBeWrittenToOtherFormatsOrNowhere) {
     EXPECT_TRUE(fs::is_empty(folder_));
 }
 
+// Files by another program. The value of channel c at x, y is x + 100 y + 10000 c, as far as a half holds it.
+std::string foreign(const std::string& name) { return std::string(LANCER_SOURCE_FOLDER "/tests/unit/pictures/") + name; }
+
+float foreign_value(int channel, std::size_t pixel) {
+    return static_cast<float>(pixel % 20) + 100.0f * static_cast<float>(pixel / 20) + 10000.0f * static_cast<float>(channel);
+}
+
+// 8 x 8 tiles, one type a channel, and a data window that starts at 3,-2 of a larger picture.
+TEST(ForeignLayers, MayBeTiled) {
+    const LayeredImage image = read_layers(foreign("tiled.exr"));
+    ASSERT_EQ(image.width, 20);
+    ASSERT_EQ(image.height, 12);
+    ASSERT_EQ(image.channels.size(), 3u);
+    for (std::size_t i = 0; i < 240; ++i) {
+        EXPECT_EQ(find_channel(image, "R")->values[i], foreign_value(0, i));
+        EXPECT_EQ(find_channel(image, "depth.Z")->values[i], foreign_value(1, i));
+        EXPECT_EQ(find_channel(image, "id")->numbers[i], 0xffffffffu);  // more than a float holds
+    }
+    EXPECT_EQ(find_channel(image, "R")->stored, Stored::half);
+}
+
+// Two parts of one size, both with R, G and B, and a smaller one.
+TEST(ForeignLayers, MayComeInParts) {
+    const LayeredImage image = read_layers(foreign("parts.exr"));
+    ASSERT_EQ(image.channels.size(), 6u);
+    const char* const names[] = {"R", "G", "B", "albedo.R", "albedo.G", "albedo.B"};
+    for (int c = 0; c < 6; ++c) {
+        const Channel* channel = find_channel(image, names[c]);
+        ASSERT_NE(channel, nullptr) << names[c];
+        EXPECT_EQ(channel->values[57], foreign_value(c, 57)) << names[c];
+    }
+}
+
 // The values that the specification's own tests state.
 TEST(Cryptomatte, HashesNamesAsSpecified) {
     EXPECT_EQ(cryptomatte_id("hello"), 6.0705627102400005616e-17f);
