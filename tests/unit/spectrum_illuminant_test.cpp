@@ -68,6 +68,9 @@ TEST(Illuminant, BlackbodyRadiatesAsThermodynamicsAsks) {
     EXPECT_NEAR(chromaticity(to_xyz(blackbody(2856.0))).x, 0.4476, 1e-4);  // illuminant A's
     EXPECT_NEAR(chromaticity(to_xyz(blackbody(2856.0))).y, 0.4074, 1e-4);
     EXPECT_EQ(blackbody_radiance(10.0, 300.0), 0.0);  // too little for a double
+    for (double kelvin = 1.0; kelvin < 1e6; kelvin *= 1.1) {
+        EXPECT_TRUE(std::isfinite(with_unit_luminance(blackbody(kelvin)).highest())) << kelvin;
+    }
 }
 
 TEST(Illuminant, DaylightFollowsItsLocus) {

@@ -121,7 +121,7 @@ glm::dvec2 chromaticity(const glm::dvec3& xyz) {
 
 SpectralCurve with_unit_luminance(const SpectralCurve& light) {
     const double luminance = to_xyz(light).y;
-    return luminance > 0.0 ? light.scaled(1.0 / luminance) : light;
+    return luminance > 1e-300 ? light.scaled(1.0 / luminance) : light;
 }
 
 }  // namespace lancer

@@ -55,7 +55,7 @@ glm::dvec3 to_xyz_by_sums(const SpectralCurve& light);
 // x and y of XYZ; 0 for black.
 glm::dvec2 chromaticity(const glm::dvec3& xyz);
 
-// The light with luminance Y = 1; as it is when its Y is not positive.
+// The light with luminance Y = 1; as it is when its Y is below 1e-300, as a black body's of 20 K.
 SpectralCurve with_unit_luminance(const SpectralCurve& light);
 
 }  // namespace lancer

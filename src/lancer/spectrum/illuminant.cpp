@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -152,6 +153,7 @@ SpectralCurve daylight(double kelvin) {
 }
 
 double blackbody_radiance(double kelvin, double nanometres) {
+    assert(kelvin > 0.0 && nanometres > 0.0);
     constexpr double planck = 6.62607015e-34;    // J s [CODATA 2018]
     constexpr double light_speed = 299792458.0;  // m/s
     constexpr double boltzmann = 1.380649e-23;   // J/K
