@@ -1,27 +1,74 @@
 #include "lancer/image/exr_layers.h"
 
 #include <ImfChannelList.h>
+#include <ImfChromaticitiesAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
 #include <half.h>
 
 #include <algorithm>
-#include <map>
+#include <cmath>
+#include <cstring>
 #include <set>
 #include <stdexcept>
 
-#include "lancer/image/exr_stream.h"
 #include "lancer/image/signature.h"
 #include "lancer/image/stored.h"
 
 namespace lancer {
 namespace {
+
+class MemoryStream : public Imf::OStream {
+public:
+    MemoryStream() : Imf::OStream("memory") {}
+
+    void write(const char data[], int size) override {
+        const std::size_t end = place_ + static_cast<std::size_t>(size);
+        if (end > bytes_.size()) {
+            bytes_.resize(end);
+        }
+        std::memcpy(bytes_.data() + place_, data, static_cast<std::size_t>(size));
+        place_ = end;
+    }
+    std::uint64_t tellp() override { return place_; }
+    void seekp(std::uint64_t place) override { place_ = static_cast<std::size_t>(place); }
+
+    std::string take() { return std::move(bytes_); }
+
+private:
+    std::string bytes_;
+    std::size_t place_ = 0;
+};
+
+// Linear light of sRGB's primaries, ZIP compressed. Keys that the format uses itself get "text:" in front.
+Imf::Header make_header(int width, int height, const Metadata& metadata) {
+    Imf::Header header(width, height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::addChromaticities(header, Imf::Chromaticities());  // the default ones are Rec. 709's, D65: those of sRGB
+    for (const auto& [key, value] : metadata) {
+        if (key.empty()) {
+            continue;
+        }
+        // The names that the format uses itself ("channels", "compression", ...) are taken.
+        const bool taken = header.find(key) != header.end() || key == "tiles" || key == "type" || key == "name" || key == "version" ||
+                           key == "chunkCount" || key == "view";
+        header.insert(taken ? "text:" + key : key, Imf::StringAttribute(value));
+    }
+    return header;
+}
+
+bool fits_half(const std::vector<float>& values) {
+    constexpr float largest_half = 65504.0f;
+    return std::all_of(values.begin(), values.end(), [](float v) { return !std::isfinite(v) || std::fabs(v) <= largest_half; });
+}
 
 // "albedo" of "albedo.R"; nothing for the picture itself.
 std::string layer_of(const std::string& channel) {
@@ -116,7 +163,7 @@ std::string encode_exr_layers(const LayeredImage& image) {
             wide_layers.insert(layer_of(channel.name));
         }
     }
-    Imf::Header header = exr_header(image.width, image.height, image.metadata);
+    Imf::Header header = make_header(image.width, image.height, image.metadata);
     const Imath::Box2i window = header.dataWindow();
     Imf::FrameBuffer buffer;
     std::vector<std::vector<half>> halves;
@@ -136,7 +183,7 @@ std::string encode_exr_layers(const LayeredImage& image) {
             buffer.insert(channel.name, plane(Imf::HALF, narrow, window));
         }
     }
-    ExrMemory stream;
+    MemoryStream stream;
     {
         Imf::OutputFile file(stream, header);
         file.setFrameBuffer(buffer);

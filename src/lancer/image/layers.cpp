@@ -26,20 +26,6 @@ namespace {
     return image.width > 0 && image.height > 0 && !image.channels.empty();
 }
 
-LayeredImage split(const Image& image, bool display) {
-    static const std::vector<std::string> names[] = {{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
-    LayeredImage result{image.width, image.height, {}, {}, display};
-    const std::size_t count = static_cast<std::size_t>(image.channels), area = image.pixels.size() / count;
-    for (std::size_t c = 0; c < count; ++c) {
-        Channel channel{names[count - 1][c], Stored::float32, std::vector<float>(area), {}};
-        for (std::size_t i = 0; i < area; ++i) {
-            channel.values[i] = image.pixels[i * count + c];
-        }
-        result.channels.push_back(std::move(channel));
-    }
-    return result;
-}
-
 }  // namespace
 
 const Channel* find_channel(const LayeredImage& image, std::string_view name) {
@@ -66,6 +52,20 @@ Image picture_of(const LayeredImage& image, const std::vector<std::string>& name
     return result;
 }
 
+LayeredImage split_channels(const Image& image) {
+    static const std::vector<std::string> names[] = {{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
+    LayeredImage result{image.width, image.height, {}, {}};
+    const std::size_t count = static_cast<std::size_t>(image.channels), area = image.pixels.size() / count;
+    for (std::size_t c = 0; c < count; ++c) {
+        Channel channel{names[count - 1][c], Stored::float32, std::vector<float>(area), {}};
+        for (std::size_t i = 0; i < area; ++i) {
+            channel.values[i] = image.pixels[i * count + c];
+        }
+        result.channels.push_back(std::move(channel));
+    }
+    return result;
+}
+
 void write_layers(const std::string& path, const LayeredImage& image) {
     assert(is_whole(image));
     std::string bytes;
@@ -85,7 +85,9 @@ LayeredImage read_layers(const std::string& path) {
     if (found.format != "openexr") {
         bool encoded = false;
         const Image image = read_image(path, Encoding::automatic, encoded);
-        return split(image, encoded);
+        LayeredImage layers = split_channels(image);
+        layers.display = encoded;
+        return layers;
     }
     try {
         return read_exr_layers(path, found.bytes);

@@ -36,6 +36,9 @@ const Channel* find_channel(const LayeredImage& image, std::string_view name);
 // The channels `names` (one to four) interleaved; missing ones are filled with zeros.
 Image picture_of(const LayeredImage& image, const std::vector<std::string>& names);
 
+// The other way round: "R", "G", "B" or "Y", and "A", as float32.
+LayeredImage split_channels(const Image& image);
+
 // Writes OpenEXR (the ending must be ".exr"), ZIP compressed, beside the target and renamed into place. A layer whose finite values overflow a
 // half is stored as float32 as a whole. The same image gives the same bytes, whatever the order of its channels. Throws MachineFailure with
 // the path and the reason; what stood at `path` is untouched then.
