@@ -150,6 +150,22 @@ TEST(Comparison, TakesGreyAndOtherChannels) {
     EXPECT_FALSE(compare(group({depth}), group({other}), {}).flip);
 }
 
+TEST(Comparison, TakesSpectraBandByBand) {
+    LayeredImage image{width, height, {}, {}};
+    for (const char* name : {"S0.400,000000nm", "S0.500,000000nm", "depth.Z", "samples"}) {
+        image.channels.push_back(filled(name, 2.0f));
+    }
+    LayeredImage noisier = image;
+    noisier.channels.push_back(filled("variance.S0.500,000000nm", 0.01f));
+    const Comparison found = compare(group({image}), group({noisier}), {});
+    ASSERT_EQ(found.colors.size(), 2u);
+    EXPECT_EQ(found.colors[1].name, "S0.500,000000nm");
+    EXPECT_EQ(found.more_channels, 2u);
+    EXPECT_FALSE(found.flip);
+    ASSERT_EQ(found.bias.size(), 1u);  // nothing is known of the other band's noise
+    EXPECT_EQ(found.bias[0].name, "S0.500,000000nm");
+}
+
 TEST(Comparison, RefusesWhatCantBeCompared) {
     const LayeredImage small{1, 1, {{"R", Stored::half, {1.0f}, {}}}, {}};
     EXPECT_THROW(compare(group({flat(1, 1, 1)}), group({small}), {}), std::runtime_error);

@@ -39,7 +39,7 @@ struct BiasTest {
 struct Comparison {
     int width = 0;
     int height = 0;
-    std::vector<ChannelComparison> colors;  // R, G and B, or Y, or whatever both have
+    std::vector<ChannelComparison> colors;  // R, G and B; or Y; or the spectrum's S0.*; or else whatever both have
     std::vector<ChannelComparison> others;  // the other channels that both have, if asked for
     std::size_t more_channels = 0;          // how many others there are
     ChannelErrors all;                      // of the colours
