@@ -33,7 +33,7 @@ def kind(key):
         return f'`"{key["const"]}"`'
     if "enum" in key:
         return " or ".join(f'`"{word}"`' for word in key["enum"])
-    if "anyOf" in key:
+    if "anyOf" in key and "properties" not in key:
         if any(option.get("$ref", "").endswith("color_text") for option in key["anyOf"]):
             rest = [kind(option) for option in key["anyOf"] if "$ref" in option]
             return ", ".join(["a color"] + [word for word in rest if word])

@@ -83,7 +83,11 @@ void choose_lights(scene::Scene& scene, const std::vector<std::string>& names, D
     scene.lights = std::move(kept);
 }
 
-std::string antialiasing_in_words(const scene::RenderSettings& settings) {
+std::string antialiasing_in_words(const scene::Scene& scene) {
+    const scene::RenderSettings& settings = scene.settings;
+    if (scene::chosen_integrator(scene) == "path") {
+        return fmt::format("{} samples a pixel", settings.spp);
+    }
     if (settings.antialiasing == scene::Antialiasing::adaptive) {
         return fmt::format("adaptive, threshold {}, depth {}", settings.adaptive_threshold, settings.adaptive_depth);
     }
@@ -99,9 +103,9 @@ Metadata describe(const scene::Scene& scene, const std::string& command) {
         {"lancer:scene", scene.file},
         {"lancer:hash", scene.hash},
         {"lancer:camera", scene.cameras.front().name},
-        {"lancer:integrator", settings.integrator},
-        {"lancer:bounces", fmt::format("{}", settings.bounces)},
-        {"lancer:antialiasing", antialiasing_in_words(settings)},
+        {"lancer:integrator", scene::chosen_integrator(scene)},
+        {"lancer:bounces", fmt::format("{}", scene::bounces_of(scene))},
+        {"lancer:antialiasing", antialiasing_in_words(scene)},
         {"lancer:exposure", fmt::format("{}", settings.exposure)},
         {"lancer:color", "linear Rec. 709 primaries, D65 white; PNG and JPEG encoded as sRGB"},
     };
@@ -123,7 +127,12 @@ void apply_arguments(scene::Scene& scene, const RenderArguments& arguments, Diag
         settings.height = arguments.size->height;
     }
     settings.integrator = arguments.integrator.value_or(settings.integrator);
-    settings.bounces = arguments.bounces.value_or(settings.bounces);
+    if (arguments.bounces) {
+        settings.bounces = arguments.bounces;
+    }
+    settings.spp = arguments.spp.value_or(settings.spp);
+    settings.seed = arguments.seed.value_or(settings.seed);
+    settings.rgb = settings.rgb || arguments.rgb;
     settings.ssaa = arguments.ssaa.value_or(settings.ssaa);
     settings.adaptive_threshold = arguments.adaptive_threshold.value_or(settings.adaptive_threshold);
     settings.adaptive_depth = arguments.adaptive_depth.value_or(settings.adaptive_depth);
@@ -174,6 +183,7 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
     prepared.options.width = scene.settings.width;
     prepared.options.height = scene.settings.height;
     prepared.options.threads = arguments.threads.value_or(hardware_threads());
+    prepared.options.spp = scene::chosen_integrator(scene) == "path" ? scene.settings.spp : 0;
     prepared.options.ssaa = scene.settings.ssaa;
     prepared.options.adaptive = scene.settings.antialiasing == scene::Antialiasing::adaptive;
     prepared.options.adaptive_threshold = scene.settings.adaptive_threshold;

@@ -10,15 +10,16 @@ namespace lancer::app {
 class SmallerFilm : public Device {
 public:
     // `device` must outlive it.
-    SmallerFilm(const Device& device, int factor) : device_(device), factor_(static_cast<float>(factor)) {}
+    SmallerFilm(const Device& device, int factor) : device_(device), factor_(factor) {}
 
     int lanes() const override { return device_.lanes(); }
     std::string description() const override { return device_.description(); }
     void follow(std::span<const glm::vec2> points, std::span<glm::vec3> radiance, RayCounts& counts) const override;
+    void follow_paths(const PathRange& range, std::span<glm::vec3> radiance, RayCounts& counts) const override;
 
 private:
     const Device& device_;
-    float factor_;
+    int factor_;
 };
 
 // One sample for each pixel of the smaller film.

@@ -25,6 +25,20 @@ struct RayCounts {
     }
 };
 
+// Samples of the pixels of a rectangle: from (x0, y0) to before (x1, y1), and for each of them the samples from `first_sample` on.
+struct PathRange {
+    int x0 = 0;
+    int y0 = 0;
+    int x1 = 0;
+    int y1 = 0;
+    int first_sample = 0;
+    int sample_count = 0;
+
+    std::size_t paths() const {
+        return static_cast<std::size_t>(x1 - x0) * static_cast<std::size_t>(y1 - y0) * static_cast<std::size_t>(sample_count);
+    }
+};
+
 class Device {
 public:
     virtual ~Device() = default;
@@ -39,6 +53,10 @@ public:
     // (0.5, 0.5) is the centre of the first pixel. `radiance` is as long as `points`. Pure: the same point gives the same bits whatever
     // comes with it. Called from many threads at once. Rays followed are added to `counts`.
     virtual void follow(std::span<const glm::vec2> points, std::span<glm::vec3> radiance, RayCounts& counts) const = 0;
+
+    // The path integrator: the radiance (linear RGB) of every sample of the range, pixel by pixel in rows, a pixel's samples together;
+    // `radiance` has range.paths() entries. Pure and called from many threads, as above.
+    virtual void follow_paths(const PathRange& range, std::span<glm::vec3> radiance, RayCounts& counts) const = 0;
 };
 
 }  // namespace lancer

@@ -24,23 +24,38 @@ const int BSDF_ROUGH_DIFFUSE = 2;
 const int BSDF_CONDUCTOR = 3;
 const int BSDF_DIELECTRIC = 4;
 const int BSDF_THIN_DIELECTRIC = 5;
-const int BSDF_KINDS = 6;
+const int BSDF_PLASTIC = 6;
+const int BSDF_PRINCIPLED = 7;
+const int BSDF_KINDS = 8;
 
 const int MATERIAL_EMITS = 1;
 const int MATERIAL_EMITS_BEHIND = 2;  // on its inner side, too
 const int MATERIAL_ONE_SIDED = 4;     // seen from within it is black
+const int MATERIAL_BECKMANN = 8;      // its facets follow Beckmann's distribution, else GGX
+const int MATERIAL_SATURATES = 16;    // plastic: light that the coat sends back to the body takes its colour once more
+const int MATERIAL_THIN = 32;         // principled: a sheet without inside; what goes through is not bent
 
 struct MaterialRecord {
     int kind;
     int flags;
-    ColorRecord color;
-    ColorRecord index;       // conductors: n
-    ColorRecord extinction;  // conductors: k
+    ColorRecord color;       // what it reflects; principled: base colour
+    ColorRecord index;       // conductors: n; principled: what its sheen reflects, colour times weight
+    ColorRecord extinction;  // conductors: k; plastic and principled: tint of what its surface reflects, 1 in nature
     ColorRecord emission;    // radiance
     float roughness_x;       // of microfacets: alpha; of rough diffuse surfaces: 0 to 1
     float roughness_y;
     ColorRecord clearness;  // of a transparent body: what is left of light after `clear_distance` metres
     float clear_distance;   // 0: all is left, whatever the distance
+    float eta;              // plastic and principled: index of refraction of the body
+    float metalness;        // principled, from here on: 0 to 1
+    float transmission;     // of what is no metal, the share that is clear and not diffuse: 0 to 1
+    float coat;             // how much of it has a clear coat: 0 to 1
+    float coat_roughness;   // of microfacets: alpha
+    float coat_index;       // index of refraction, 1.5
+    float sheen_roughness;  // 0 to 1
+    float film_thickness;   // nanometres of a film on it, 0: none
+    float film_index;       // index of refraction of the film, 1.3
+    int detail;             // into textures, whose green scales the roughness and whose blue the metalness; -1: none
 };
 
 const int EMITTER_POINT = 0;
@@ -96,7 +111,7 @@ RECORDS_END
 
 #ifdef __cplusplus
 namespace lancer::kernel {
-static_assert(sizeof(ColorRecord) == 40 && sizeof(MaterialRecord) == 220 && sizeof(EmitterRecord) == 132);
+static_assert(sizeof(ColorRecord) == 40 && sizeof(MaterialRecord) == 260 && sizeof(EmitterRecord) == 132);
 }  // namespace lancer::kernel
 #endif
 

@@ -226,6 +226,7 @@ struct WorldRecord {
     FloatTable distributions;  // cumulative shares, see EmitterRecord
     FloatTable curves;         // WAVELENGTH_COUNT values each
     FloatTable upsampling;     // from RGB to smooth spectra, see upsample.h
+    FloatTable albedo;         // what rough surfaces reflect, see bsdf/albedo.h
     Vec3Table observer;        // linear RGB of one unit at each nanometre
     LightTable lights;
     BandTable bands;

@@ -13,6 +13,7 @@
 
 #include "lancer/film/display.h"
 #include "lancer/render/adaptive.h"
+#include "lancer/render/paths.h"
 #include "lancer/render/threads.h"
 #include "lancer/render/uniform.h"
 
@@ -27,19 +28,32 @@ class Work {
 public:
     Work(const Device& device, const RenderOptions& options, Film& film, RenderObserver* observer, const std::atomic<bool>* cancel)
         : device_(device), options_(options), film_(film), observer_(observer), cancel_(cancel), curve_(options.exposure) {
-        if (!options.adaptive) {
+        passes_ = options.spp > 0 ? path_passes(options.spp) : std::vector<PathPass>{{0, 1}};
+        if (options.spp > 0) {
+            sums_.assign(film.radiance.size(), glm::dvec3(0.0));
+        } else if (!options.adaptive) {
             patterns_.emplace(options.width, options.height, options.ssaa, device.lanes());
         }
         tiles_ = cut_tiles(options.width, options.height,
-                           options.adaptive ? AdaptiveSampler::tile_size(options.adaptive_depth) : UniformPatterns::tile_size);
+                           options.spp > 0    ? PathSampler::tile_size
+                           : options.adaptive ? AdaptiveSampler::tile_size(options.adaptive_depth)
+                                              : UniformPatterns::tile_size);
         if (options.shuffle != 0) {
             shuffle_tiles(tiles_, options.shuffle);
         }
-        progress_.pixels_total = static_cast<std::int64_t>(options.width) * options.height;
+        progress_.pixels_total = static_cast<std::int64_t>(options.width) * options.height * std::max(options.spp, 1);
     }
 
-    std::size_t tile_count() const { return tiles_.size(); }
+    // All passes, one after another, each on all threads.
+    void run(int threads) {
+        for (const PathPass& pass : passes_) {
+            pass_ = pass;
+            next_tile_ = 0;
+            run_on_threads(threads, [&] { take_tiles(); });
+        }
+    }
 
+private:
     // What one thread does: takes tiles until none is left.
     void take_tiles() {
         const std::unique_ptr<TileSampler> sampler = make_sampler();
@@ -73,6 +87,7 @@ public:
         first_bad_ = std::min(first_bad_, first_bad);
     }
 
+public:
     RenderStatistics statistics() const {
         RenderStatistics result;
         result.rays = counts_;
@@ -90,7 +105,10 @@ public:
 private:
     static constexpr std::size_t no_pixel = std::numeric_limits<std::size_t>::max();
 
-    std::unique_ptr<TileSampler> make_sampler() const {
+    std::unique_ptr<TileSampler> make_sampler() {
+        if (options_.spp > 0) {
+            return std::make_unique<PathSampler>(device_, pass_, sums_);
+        }
         if (options_.adaptive) {
             const AdaptiveOptions adaptive = {options_.adaptive_threshold, options_.adaptive_depth};
             return std::make_unique<AdaptiveSampler>(device_, adaptive, curve_);
@@ -100,7 +118,7 @@ private:
 
     void tell(const Tile& tile, std::uint64_t samples) {
         const std::scoped_lock lock(mutex_);
-        progress_.pixels_done += static_cast<std::int64_t>(tile.width()) * tile.height();
+        progress_.pixels_done += static_cast<std::int64_t>(tile.width()) * tile.height() * pass_.sample_count;
         progress_.samples_done += samples;
         if (observer_ != nullptr) {
             progress_.seconds = seconds();
@@ -119,6 +137,9 @@ private:
     const std::atomic<bool>* cancel_;
     DisplayCurve curve_;
     std::optional<UniformPatterns> patterns_;
+    std::vector<PathPass> passes_;
+    PathPass pass_;
+    std::vector<glm::dvec3> sums_;  // of the path integrator's samples
     std::vector<Tile> tiles_;
     Clock::time_point start_ = Clock::now();
 
@@ -143,7 +164,7 @@ RenderStatistics render(const Device& device, const RenderOptions& options, Film
 
     Work work(device, options, film, observer, cancel);
     const int threads = options.threads > 0 ? options.threads : hardware_threads();
-    run_on_threads(threads, [&] { work.take_tiles(); });
+    work.run(threads);
     RenderStatistics result = work.statistics();
     result.threads = threads;
     return result;

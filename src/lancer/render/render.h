@@ -17,6 +17,7 @@ struct RenderOptions {
     int width = 1280;
     int height = 720;
     int threads = 0;                   // 0: as many as the machine has, one where that can't be known
+    int spp = 0;                       // samples a pixel of the path integrator; 0: Whitted's, with what follows
     int ssaa = 1;                      // ssaa x ssaa samples a pixel on a regular grid
     bool adaptive = false;             // instead of ssaa: subdivide where neighbours differ
     double adaptive_threshold = 0.03;  // difference of display values in [0, 1] that makes a cell be cut in four
@@ -31,7 +32,7 @@ constexpr int max_threads = 1024;
 
 // What a render tells while it runs. Called from worker threads, one call at a time.
 struct RenderProgress {
-    std::int64_t pixels_done = 0;
+    std::int64_t pixels_done = 0;  // paths: times the samples of each
     std::int64_t pixels_total = 0;
     std::uint64_t samples_done = 0;  // camera samples
     double seconds = 0.0;            // since the start
@@ -54,7 +55,7 @@ struct RenderStatistics {
 class RenderObserver {
 public:
     virtual ~RenderObserver() = default;
-    // The tile's pixels are final and stand in `film`; other pixels may be in the making.
+    // The tile's pixels stand in `film`, final or as good as they are so far (paths); other pixels may be in the making.
     virtual void tile_done(const Film& film, const Tile& tile, const RenderProgress& progress) = 0;
 };
 

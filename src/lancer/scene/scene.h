@@ -83,11 +83,49 @@ struct WhittedMaterial {
     Rgb absorption{0.0};  // inside a transparent body, per metre
 };
 
+// The rest follow physics: they are for the path integrator. Roughness runs from 0, smooth, to 1; its square is the width of the facets' slopes.
+
+// Scatters to all sides alike [Lambert 1760], or as small facets of that kind do.
+struct DiffuseMaterial {
+    Texture color = Rgb{0.8};
+    double roughness = 0.0;
+};
+
+// A metal, by name or by its colour when seen straight on.
+struct ConductorMaterial {
+    std::string metal;  // a name that spectrum/metal.h knows; empty: `color`
+    Texture color = Rgb{1.0};
+    double roughness = 0.0;
+    double anisotropy = 0.0;  // how much smoother along u than along v, 0 to 1
+};
+
+// A clear body, such as glass or water; or a pane of it, so thin that nothing is seen to be shifted.
+struct DielectricMaterial {
+    Refraction refraction = 1.5;
+    Texture color = Rgb{1.0};  // a tint for whatever it reflects or lets through; white in nature
+    double roughness = 0.0;
+    double anisotropy = 0.0;
+    Rgb absorption{0.0};  // inside, per metre
+    bool thin = false;
+};
+
+// Light that a surface gives by itself.
+struct Emission {
+    Texture radiance = Rgb{0.0};  // W/(m^2 sr), weighed by the eye: 1 is as bright as a white surface under an irradiance of pi
+    double strength = 1.0;        // times this
+    bool both_sides = false;      // else outwards only
+};
+
 struct Material {
     std::string name;  // empty when written in place
-    std::variant<WhittedMaterial> model;
+    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial> model;
     SourcePosition position;
+    std::optional<Emission> emission = std::nullopt;
 };
+
+inline bool is_physical(const Material& material) {
+    return !std::holds_alternative<WhittedMaterial>(material.model) || material.emission.has_value();
+}
 
 // ---- Shapes, each in its own object space -----------------------------------------------------------------------------------------
 
@@ -189,6 +227,9 @@ struct Light {
     Rgb color{1.0};
     double intensity = 1.0;  // in Whitted scenes its share of the light; the shares sum to 1
     SourcePosition position;
+
+    // For light that follows physics: W/sr of point and spot lights, W/m^2 at right angles of directional ones, weighed by the eye.
+    std::optional<Rgb> power = std::nullopt;
 };
 
 // A vertical gradient seen by rays that leave the scene; both equal for a plain colour.
@@ -201,6 +242,7 @@ struct Background {
 // ---- Camera -----------------------------------------------------------------------------------------------------------------------
 
 enum class FovAxis { width, height };
+enum class Projection { perspective, orthographic, panorama };
 
 struct Camera {
     std::string name;  // empty for the unnamed one, which comes first
@@ -209,19 +251,29 @@ struct Camera {
     glm::dvec3 up{0.0, 1.0, 0.0};
     double fov = 60.0;  // degrees, between the two edges of the picture along `fov_axis`
     FovAxis fov_axis = FovAxis::width;
+    Projection projection = Projection::perspective;
+    double extent = 2.0;          // orthographic: metres across the picture along `fov_axis`
+    double aperture = 0.0;        // diameter of the lens in metres; 0: a pinhole, all is sharp
+    double focus_distance = 5.0;  // of the plane that is sharp, along the view
     SourcePosition source;
 };
 
 // ---- How to render it -------------------------------------------------------------------------------------------------------------
 
 enum class Antialiasing { uniform, adaptive };
+enum class PixelFilter { box, tent, gaussian, mitchell, blackman_harris };
 
 struct RenderSettings {
     int width = 1280;
     int height = 720;
-    std::string integrator = "whitted";
-    int bounces = 5;  // reflections and refractions after the first hit
-    int ssaa = 1;     // k x k samples a pixel
+    std::string integrator = "auto";  // path where anything in the scene follows physics, else whitted
+    std::optional<int> bounces;       // after the first hit; not written: 5 for whitted, 16 for path
+    int spp = 64;                     // samples a pixel of the path integrator
+    bool rgb = false;                 // paths carry linear RGB instead of wavelengths
+    int seed = 0;
+    PixelFilter filter = PixelFilter::blackman_harris;
+    std::optional<double> filter_radius;  // pixels; not written: what suits the filter
+    int ssaa = 1;                         // k x k samples a pixel
     Antialiasing antialiasing = Antialiasing::uniform;
     double adaptive_threshold = 0.03;  // difference of display values in [0, 1] that makes a cell be cut in four
     int adaptive_depth = 3;            // how often at most
@@ -243,5 +295,9 @@ struct Scene {
     Rgb ambient{1.0};  // light that reaches every point, times each material's `ambient`
     RenderSettings settings;
 };
+
+// The integrator that "auto" stands for.
+std::string chosen_integrator(const Scene& scene);
+int bounces_of(const Scene& scene);
 
 }  // namespace lancer::scene

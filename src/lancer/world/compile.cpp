@@ -7,7 +7,11 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "lancer/kernel/spectrum.h"
+#include "lancer/spectrum/sensor.h"
+#include "lancer/spectrum/upsample.h"
 #include "lancer/world/bounds.h"
+#include "lancer/world/emitters.h"
 #include "lancer/world/flatten.h"
 #include "lancer/world/materials.h"
 #include "lancer/world/shapes.h"
@@ -45,9 +49,58 @@ kernel::CameraRecord compile_camera(const scene::Camera& camera, int width, int 
     record.down = to_float(down);
     record.forward = to_float(forward);
     record.kind = kernel::CAMERA_PERSPECTIVE;
+    record.lens_radius = static_cast<float>(camera.aperture / 2.0);
+    record.focus_distance = static_cast<float>(camera.focus_distance);
+    if (camera.projection == scene::Projection::orthographic) {
+        const double step = camera.extent / across;
+        record.kind = kernel::CAMERA_ORTHOGRAPHIC;
+        record.corner = to_float(camera.position - right * (step * width / 2.0) - down * (step * height / 2.0));
+        record.step_x = to_float(right * step);
+        record.step_y = to_float(down * step);
+    } else if (camera.projection == scene::Projection::panorama) {
+        record.kind = kernel::CAMERA_PANORAMA;
+    }
     record.width = static_cast<float>(width);
     record.height = static_cast<float>(height);
     return record;
+}
+
+kernel::FilterRecord compile_filter(const scene::RenderSettings& settings) {
+    struct Preset {
+        int kind;
+        double radius;
+    };
+    const auto [kind, radius] = [&]() -> Preset {
+        switch (settings.filter) {
+            case scene::PixelFilter::box:
+                return {kernel::FILTER_BOX, 0.5};
+            case scene::PixelFilter::tent:
+                return {kernel::FILTER_TENT, 1.0};
+            case scene::PixelFilter::gaussian:
+                return {kernel::FILTER_GAUSSIAN, 1.5};
+            case scene::PixelFilter::mitchell:
+                return {kernel::FILTER_MITCHELL, 2.0};
+            case scene::PixelFilter::blackman_harris:
+                return {kernel::FILTER_BLACKMAN_HARRIS, 1.5};
+        }
+        return {};
+    }();
+    return {kind, static_cast<float>(settings.filter_radius.value_or(radius))};
+}
+
+// What the path integrator needs beyond what all need.
+void compile_physics(const scene::Scene& scene, World& world) {
+    world.max_depth = scene::bounces_of(scene);
+    world.seed = scene.settings.seed;
+    world.filter = compile_filter(scene.settings);
+    world.spectral = !scene.settings.rgb;
+    if (world.spectral) {
+        for (int i = 0; i < kernel::WAVELENGTH_COUNT; ++i) {
+            world.observer.push_back(to_float(sensor_weight(static_cast<double>(kernel::FIRST_WAVELENGTH) + i)));
+        }
+        const auto table = upsampling_table();
+        world.upsampling.assign(table.begin(), table.end());
+    }
 }
 
 kernel::LightRecord compile_light(const scene::Light& light) {
@@ -76,14 +129,16 @@ kernel::LightRecord compile_light(const scene::Light& light) {
 
 std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scene::Camera& camera, Diagnostics& diagnostics) {
     auto world = std::make_shared<World>();
-    if (scene.settings.bounces < 0 || scene.settings.bounces > kernel::MAX_BOUNCES) {
-        diagnostics.error({scene.file, 0, 0},
-                          std::to_string(scene.settings.bounces) + " bounces: expected 0 to " + std::to_string(kernel::MAX_BOUNCES));
+    const bool physical = scene::chosen_integrator(scene) != "whitted";
+    const int bounces = scene::bounces_of(scene);
+    const int most = physical ? max_path_bounces : kernel::MAX_BOUNCES;
+    if (bounces < 0 || bounces > most) {
+        diagnostics.error({scene.file, 0, 0}, std::to_string(bounces) + " bounces: expected 0 to " + std::to_string(most));
     }
     if (scene.settings.wavelengths < 1) {
         diagnostics.error({scene.file, 0, 0}, std::to_string(scene.settings.wavelengths) + " wavelengths: expected 1 or more");
     }
-    world->bounces = scene.settings.bounces;
+    world->bounces = bounces;
     world->min_weight = static_cast<float>(scene.settings.min_weight);
     world->camera = compile_camera(camera, scene.settings.width, scene.settings.height, diagnostics);
     world->ambient = to_float(scene.ambient);
@@ -96,8 +151,17 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     if (diagnostics.has_errors()) {
         return nullptr;
     }
-    compile_materials(scene, *world, diagnostics);
+    Textures textures(*world, diagnostics);
+    Colors colors(*world);
+    compile_materials(scene, *world, textures, diagnostics);
+    if (physical) {
+        compile_physics(scene, *world);
+        compile_surfaces(scene, *world, textures, colors, diagnostics);
+    }
     compile_shapes(flatten(scene), *world, diagnostics);
+    if (physical && !diagnostics.has_errors()) {
+        compile_emitters(scene, *world, colors, diagnostics);
+    }
     if (diagnostics.has_errors()) {
         return nullptr;
     }

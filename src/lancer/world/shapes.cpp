@@ -19,7 +19,7 @@ namespace {
 using kernel::ObjectRecord;
 
 // Meshes with at most so many triangles in the whole scene are tested triangle by triangle, like any shape.
-constexpr std::size_t loose_triangles = 24;
+constexpr std::size_t loose_triangles = 56;
 
 kernel::AffineRecord to_record(const glm::dmat4& m) {
     const auto row = [&](int i) { return kernel::vec3(glm::dvec3(m[0][i], m[1][i], m[2][i])); };
@@ -102,7 +102,15 @@ public:
 
 private:
     bool keeps_own_space(const FlatObject& flat) const {
-        return world_.materials[static_cast<std::size_t>(flat.material)].texture >= 0 && !is_identity(flat.to_world);
+        const auto material = static_cast<std::size_t>(flat.material);
+        const bool textured =
+            world_.materials[material].texture >= 0 || (!world_.surfaces.empty() && world_.surfaces[material].color.texture >= 0);
+        return textured && !is_identity(flat.to_world);
+    }
+
+    // Points are drawn from lamps in their canonical space.
+    bool shines(const FlatObject& flat) const {
+        return !world_.surfaces.empty() && (world_.surfaces[static_cast<std::size_t>(flat.material)].flags & kernel::MATERIAL_EMITS) != 0;
     }
 
     // Readers refuse such shapes with better words; a scene may have been made by other means.
@@ -151,7 +159,7 @@ private:
         if (!has_extent(std::min({size.x, size.y, size.z}), flat)) {
             return;
         }
-        if (is_axis_aligned(flat.to_world) && !keeps_own_space(flat)) {
+        if (is_axis_aligned(flat.to_world) && !keeps_own_space(flat) && !shines(flat)) {
             const glm::dvec3 a(flat.to_world * glm::dvec4(box.min, 1.0));
             const glm::dvec3 b(flat.to_world * glm::dvec4(box.max, 1.0));
             add_record(world_.boxes, kernel::OBJECT_BOX, {kernel::vec3(glm::min(a, b)), kernel::vec3(glm::max(a, b))}, flat.material);

@@ -1,5 +1,6 @@
 #include "lancer/world/world.h"
 
+
 namespace lancer {
 
 namespace {

@@ -83,7 +83,7 @@ void print_text(const scene::Scene& scene, const Count& count, const World& worl
     row("scene", scene.file);
     row("hash", scene.hash);
     row("picture", fmt::format("{} x {}, {}, {}", settings.width, settings.height, antialiasing_in_words(settings),
-                               plural(static_cast<std::uint64_t>(settings.bounces), "bounce")));
+                               plural(static_cast<std::uint64_t>(scene::bounces_of(scene)), "bounce")));
     std::vector<std::string> cameras;
     for (const scene::Camera& camera : scene.cameras) {
         cameras.push_back(fmt::format("{} ({} degrees)", camera.name.empty() ? "unnamed" : camera.name, camera.fov));
@@ -119,7 +119,7 @@ nlohmann::ordered_json to_json(const scene::Scene& scene, const Count& count, co
         {"hash", scene.hash},
         {"width", scene.settings.width},
         {"height", scene.settings.height},
-        {"bounces", scene.settings.bounces},
+        {"bounces", scene::bounces_of(scene)},
         {"antialiasing", antialiasing_in_words(scene.settings)},
     };
     for (const scene::Camera& camera : scene.cameras) {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "lancer/kernel/records.h"
 #include "lancer/render/render.h"
+#include "lancer/world/compile.h"
 
 namespace lancer::app {
 
@@ -24,9 +24,12 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
     add_real(app, "--exposure", arguments.exposure, -100.0, 100.0,
              "Stops by which PNG and JPEG are brightened; EXR, HDR and TIFF keep the light as it is")
         ->group("Picture");
-    add_choice(app, "--integrator", arguments.integrator, {"whitted"}, "How light is followed")->group("Light");
-    add_whole(app, "--bounces", arguments.bounces, 0, kernel::MAX_BOUNCES, "Reflections and refractions after the first hit, at most")
+    add_choice(app, "--integrator", arguments.integrator, {"auto", "whitted", "path"}, "How light is followed")->group("Light");
+    add_whole(app, "--bounces", arguments.bounces, 0, max_path_bounces, "How often light goes on after the first hit, at most")
         ->group("Light");
+    add_whole(app, "--spp", arguments.spp, 1, 1 << 20, "Samples a pixel (path)")->group("Light");
+    app.add_flag("--rgb", arguments.rgb, "Paths carry linear RGB instead of wavelengths: quicker, less right (path)")->group("Light");
+    add_whole(app, "--seed", arguments.seed, 0, 2147483647, "Another number, another noise (path)")->group("Light");
     add_choice(app, "--aa", arguments.antialiasing, {"uniform", "adaptive"},
                "Smooth edges by a regular grid of samples in each pixel, or by subdividing where neighbours differ")
         ->group("Anti-aliasing");
@@ -62,6 +65,11 @@ std::vector<std::string> words_of(const RenderArguments& arguments) {
     add("--exposure", arguments.exposure);
     add("--integrator", arguments.integrator);
     add("--bounces", arguments.bounces);
+    add("--spp", arguments.spp);
+    if (arguments.rgb) {
+        words.push_back("--rgb");
+    }
+    add("--seed", arguments.seed);
     add("--aa", arguments.antialiasing);
     add("--ssaa", arguments.ssaa);
     add("--adaptive-threshold", arguments.adaptive_threshold);

@@ -19,6 +19,9 @@ struct RenderArguments {
     std::optional<std::string> camera;
     std::optional<std::string> integrator;
     std::optional<int> bounces;
+    std::optional<int> spp;
+    bool rgb = false;
+    std::optional<int> seed;
     std::optional<int> ssaa;
     std::optional<std::string> antialiasing;
     std::optional<double> adaptive_threshold;

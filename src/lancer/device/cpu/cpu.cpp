@@ -47,6 +47,11 @@ public:
         variant_.whitted(record_, points.data(), radiance.data(), points.size(), counts);
     }
 
+    void follow_paths(const PathRange& range, std::span<glm::vec3> radiance, RayCounts& counts) const override {
+        const FlushDenormals flush;
+        variant_.paths(record_, range, radiance.data(), counts);
+    }
+
 private:
     std::shared_ptr<const World> world_;
     const CpuVariant& variant_;

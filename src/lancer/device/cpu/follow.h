@@ -15,10 +15,14 @@ namespace lancer {
 using FollowFunction = void (*)(const kernel::WorldRecord& world, const glm::vec2* points, glm::vec3* radiance, std::size_t count,
                                 RayCounts& counts);
 
+// See Device::follow_paths.
+using FollowPathsFunction = void (*)(const kernel::WorldRecord& world, const PathRange& range, glm::vec3* radiance, RayCounts& counts);
+
 struct CpuVariant {
     const char* name;
     int lanes;
     FollowFunction whitted;
+    FollowPathsFunction paths;
 };
 
 // The best variant that this processor runs; `lanes` other than 0 asks for one with so many. Null where that one can't run here.

@@ -1,48 +1,9 @@
 // Compiled once for each instruction set: the Whitted integrator on as many rays as a register holds.
 #include "lancer/device/cpu/follow.h"
-#include "lancer/device/cpu/near_objects.h"
+#include "lancer/device/cpu/lane_hits.h"
 #include "lancer/kernel/whitted.h"
-#include "lancer/trace/packet.h"
 
 namespace lancer::LANCER_KERNEL {
-
-FN TracePacket to_packet(IN(Ray) ray, Mask alive) {
-    TracePacket p;
-    ray.origin.x.store_aligned(p.origin_x);
-    ray.origin.y.store_aligned(p.origin_y);
-    ray.origin.z.store_aligned(p.origin_z);
-    ray.direction.x.store_aligned(p.direction_x);
-    ray.direction.y.store_aligned(p.direction_y);
-    ray.direction.z.store_aligned(p.direction_z);
-    ray.reach.store_aligned(p.reach);
-    p.alive = mask_bits(alive);
-    p.lanes = LANES;
-    return p;
-}
-
-Hit closest_hit(IN(WorldRecord) world, IN(Ray) ray, Mask alive) {
-    if (world.tree == nullptr) {
-        return closest_of_near(world, ray, alive);
-    }
-    TracePacket p = to_packet(ray, alive);
-    trace_closest(world, p);
-    Hit hit;
-    hit.t = Float::load_aligned(p.t);
-    hit.object = Int::load_aligned(p.object);
-    hit.part = Int::load_aligned(p.part);
-    hit.u = Float::load_aligned(p.u);
-    hit.v = Float::load_aligned(p.v);
-    return hit;
-}
-
-Mask occluded(IN(WorldRecord) world, IN(Ray) ray, Mask alive) {
-    if (world.tree == nullptr) {
-        return occluded_by_near(world, ray, alive);
-    }
-    TracePacket p = to_packet(ray, alive);
-    trace_occluded(world, p);
-    return to_mask(Int::load_aligned(p.object) == Int(1));
-}
 
 #define LANCER_FOLLOW LANCER_JOIN(follow_whitted_, LANCER_ISA)
 

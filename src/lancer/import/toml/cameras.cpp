@@ -47,6 +47,14 @@ scene::Camera read_camera(Messages& messages, const toml::table& table, std::str
     read_view(reader, result);
     result.fov = reader.number("fov");
     result.fov_axis = reader.choice("fov_axis") == 0 ? scene::FovAxis::width : scene::FovAxis::height;
+    result.projection = static_cast<scene::Projection>(reader.choice("projection"));
+    result.extent = reader.number("extent");
+    result.aperture = reader.number("aperture");
+    if (const auto focus = reader.number_if_written("focus_distance")) {
+        result.focus_distance = *focus;
+    } else if (reader.has("look_at") && reader.good()) {
+        result.focus_distance = glm::length(reader.vector3("look_at") - result.position);
+    }
     return result;
 }
 

@@ -79,13 +79,25 @@ std::optional<ReadLight> read_light(Messages& messages, const toml::table& table
             break;
     }
     light.color = read_color(reader, "color");
+    light.power = read_color_if_written(reader, "power");
+    if (reader.has("power")) {
+        for (const char* key : {"intensity", "color"}) {
+            if (reader.has(key)) {
+                reader.error(key, fmt::format("a light has either \"power\", in physical scenes, or \"{}\"", key));
+            }
+        }
+    }
     const auto intensity = reader.number_if_written("intensity");
-    result.has_intensity = reader.has("intensity");
+    result.has_intensity = reader.has("intensity") || light.power;
     light.intensity = intensity.value_or(0.0);
     return result;
 }
 
+// Physical lights have no shares; where there are only such, there is nothing to share out.
 void share_out(Messages& messages, std::vector<ReadLight>& all) {
+    if (std::all_of(all.begin(), all.end(), [](const ReadLight& read) { return read.light.power.has_value(); })) {
+        return;
+    }
     double written = 0.0;
     std::size_t without = 0;
     for (const ReadLight& read : all) {

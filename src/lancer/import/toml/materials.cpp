@@ -6,6 +6,7 @@
 
 #include "lancer/import/toml/colors.h"
 #include "lancer/spectrum/glass.h"
+#include "lancer/spectrum/metal.h"
 
 namespace lancer::notation {
 
@@ -75,11 +76,11 @@ scene::Refraction read_refraction(TableReader& reader, std::string_view name) {
 
 }  // namespace
 
-scene::Material Materials::read_table(const toml::table& table) {
-    TableReader reader(context_.messages, table, whitted_material());
-    reader.choice("type");
+namespace {
+
+scene::WhittedMaterial read_whitted(Context& context, TableReader& reader) {
     scene::WhittedMaterial model;
-    model.color = read_texture(context_, reader, "color");
+    model.color = read_texture(context, reader, "color");
     model.ambient = reader.number("ambient");
     model.diffuse = reader.number("diffuse");
     model.highlight = reader.number("highlight");
@@ -94,7 +95,94 @@ scene::Material Materials::read_table(const toml::table& table) {
             "transparency",
             fmt::format("\"reflectivity\" and \"transparency\" share the light that arrives: together at most 1, not {}", together));
     }
-    return {{}, model, reader.position()};
+    return model;
+}
+
+scene::DiffuseMaterial read_diffuse(Context& context, TableReader& reader) {
+    return {read_texture(context, reader, "color"), reader.number("roughness")};
+}
+
+scene::ConductorMaterial read_conductor(Context& context, TableReader& reader) {
+    scene::ConductorMaterial model;
+    model.metal = reader.text("metal");
+    if (reader.has("metal") && reader.has("color")) {
+        reader.error("color", "a conductor has either \"metal\" or \"color\"");
+    } else if (reader.has("metal") && !find_metal(model.metal)) {
+        const std::string hint = did_you_mean(model.metal, metal_names());
+        reader.error("metal", fmt::format("there is no metal \"{}\"{}", model.metal,
+                                          hint.empty() ? "; known are " + some_of(metal_names()) : ";" + hint));
+    }
+    model.color = read_texture(context, reader, "color");
+    model.roughness = reader.number("roughness");
+    model.anisotropy = reader.number("anisotropy");
+    return model;
+}
+
+scene::DielectricMaterial read_dielectric(Context& context, TableReader& reader) {
+    scene::DielectricMaterial model;
+    model.refraction = read_refraction(reader, "refraction");
+    model.color = read_texture(context, reader, "color");
+    model.roughness = reader.number("roughness");
+    model.anisotropy = reader.number("anisotropy");
+    model.absorption = read_color(reader, "absorption");
+    model.thin = reader.flag("thin");
+    if (reader.good() && model.thin && model.roughness > 0.0) {
+        reader.error("roughness", "a thin dielectric is smooth: write roughness = 0, or thin = false");
+    }
+    return model;
+}
+
+std::optional<scene::Emission> read_emission(Context& context, TableReader& reader) {
+    const scene::Emission emission{read_texture(context, reader, "emission"), reader.number("emission_strength"),
+                                   reader.choice("emission_sides") == 1};
+    if (!reader.has("emission")) {
+        for (const char* key : {"emission_strength", "emission_sides"}) {
+            if (reader.has(key)) {
+                reader.error(key, fmt::format("\"{}\" needs \"emission\" beside it", key));
+            }
+        }
+        return std::nullopt;
+    }
+    return emission;
+}
+
+}  // namespace
+
+scene::Material Materials::read_table(const toml::table& table) {
+    std::vector<std::string> types;
+    for (const Table* kind : materials()) {
+        types.emplace_back(kind->name);
+    }
+    const toml::node* node = table.get("type");
+    const auto* type = node ? node->as_string() : nullptr;
+    const auto found = !node ? types.begin() : type ? std::find(types.begin(), types.end(), type->get()) : types.end();
+    scene::Material material;
+    material.position = context_.messages.at(table);
+    if (found == types.end()) {
+        std::string hint = type ? did_you_mean(type->get(), types) : "";
+        hint = hint.empty() ? "; known are " + some_of(types) : ";" + hint;
+        context_.messages.error(context_.messages.at(*node), type ? fmt::format("there is no material of type \"{}\"{}", type->get(), hint)
+                                                                  : fmt::format("\"type\" must be a text, not {}", what_it_is(*node)));
+        return material;
+    }
+    const auto kind = static_cast<std::size_t>(found - types.begin());
+    TableReader reader(context_.messages, table, *materials()[kind]);
+    switch (kind) {
+        case 0:
+            material.model = read_whitted(context_, reader);
+            return material;
+        case 1:
+            material.model = read_diffuse(context_, reader);
+            break;
+        case 2:
+            material.model = read_conductor(context_, reader);
+            break;
+        default:
+            material.model = read_dielectric(context_, reader);
+            break;
+    }
+    material.emission = read_emission(context_, reader);
+    return material;
 }
 
 void Materials::read_named(const toml::table& root) {
@@ -170,7 +258,7 @@ int Materials::read(TableReader& reader, std::string_view key) {
 int Materials::preset() {
     if (preset_ < 0) {
         preset_ = static_cast<int>(context_.scene.materials.size());
-        context_.scene.materials.push_back({{}, scene::WhittedMaterial{}, {context_.messages.file(), 0, 0}});
+        context_.scene.materials.push_back({{}, scene::WhittedMaterial{}, {context_.messages.file(), 0, 0}, std::nullopt});
     }
     return preset_;
 }

@@ -47,6 +47,11 @@ std::span<const Table* const> lights() {
     return all;
 }
 
+std::span<const Table* const> materials() {
+    static const Table* const all[] = {&whitted_material(), &diffuse_material(), &conductor_material(), &dielectric_material()};
+    return all;
+}
+
 namespace {
 
 std::vector<Section> with_shapes(std::vector<Section> sections) {
@@ -61,7 +66,7 @@ std::vector<Section> with_shapes(std::vector<Section> sections) {
 std::span<const Section> file_sections() {
     static const std::vector<Section> all = with_shapes({{Form::camera, "camera", {&camera()}},
                                                          {Form::list, "light", {lights().begin(), lights().end()}},
-                                                         {Form::named, "material", {&whitted_material()}},
+                                                         {Form::named, "material", {materials().begin(), materials().end()}},
                                                          {Form::list, "group", {&group()}},
                                                          {Form::list, "place", {&place()}},
                                                          {Form::color, "background", {&background()}},

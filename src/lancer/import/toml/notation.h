@@ -79,6 +79,9 @@ const Table& point_light();
 const Table& spot_light();
 const Table& directional_light();
 const Table& whitted_material();
+const Table& diffuse_material();
+const Table& conductor_material();
+const Table& dielectric_material();
 const Table& checker();
 const Table& image();
 const Table& abbe_glass();
@@ -101,6 +104,9 @@ const Table& render();
 std::span<const Table* const> shapes();
 // All kinds of lights, in the order of scene::Light::model; the key `type` tells them apart.
 std::span<const Table* const> lights();
+
+// All kinds of materials, in the order of scene::Material::model; the key `type` tells them apart, the first is meant where it is not written.
+std::span<const Table* const> materials();
 
 // How a table stands in the file.
 enum class Form {

@@ -129,7 +129,7 @@ Json section_schema(const Section& section) {
             return any_length(items.size() > 1 ? Json{{"anyOf", items}} : items.front());
         }
         case Form::named:
-            return {{"type", "object"}, {"additionalProperties", reference(first.name)}};
+            return {{"type", "object"}, {"additionalProperties", reference(section.name)}};
         case Form::camera:
             return reference("camera");
         case Form::color:
@@ -148,7 +148,12 @@ Json definitions() {
     all["abbe_glass"] = table_schema(abbe_glass());
     all["sellmeier_glass"] = table_schema(sellmeier_glass());
     all["axis_rotation"] = table_schema(axis_rotation());
-    all["material"] = table_schema(whitted_material());
+    all["material"]["anyOf"] = Json::array();
+    for (const Table* table : materials()) {
+        const std::string name = std::string(table->name) + "_material";
+        all[name] = table_schema(*table);
+        all["material"]["anyOf"].push_back(reference(name));
+    }
     for (const Table* table : lights()) {
         all[std::string(table->name) + "_light"] = table_schema(*table);
     }

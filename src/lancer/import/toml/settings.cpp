@@ -65,7 +65,14 @@ void read_render(Context& context, const toml::node& node) {
     settings.width = size.x;
     settings.height = size.y;
     settings.integrator = render().find("integrator")->words[reader.choice("integrator")];
-    settings.bounces = reader.integer("bounces");
+    if (reader.has("bounces")) {
+        settings.bounces = reader.integer("bounces");
+    }
+    settings.spp = reader.integer("spp");
+    settings.rgb = reader.flag("rgb");
+    settings.seed = reader.integer("seed");
+    settings.filter = static_cast<scene::PixelFilter>(reader.choice("filter"));
+    settings.filter_radius = reader.number_if_written("filter_radius");
     settings.ssaa = reader.integer("ssaa");
     settings.antialiasing = reader.choice("aa") == 0 ? scene::Antialiasing::uniform : scene::Antialiasing::adaptive;
     settings.adaptive_threshold = reader.number("adaptive_threshold");

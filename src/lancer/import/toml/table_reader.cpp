@@ -206,7 +206,8 @@ double TableReader::number(std::string_view key) {
 
 int TableReader::integer(std::string_view key) {
     const Key& description = described(key, Kind::integer);
-    const double preset = std::get<double>(description.preset);
+    const double* written = std::get_if<double>(&description.preset);
+    const double preset = written ? *written : 0.0;
     const toml::node* node = value(key, Kind::integer);
     double number = preset;
     if (node && !node->is_integer()) {

@@ -39,6 +39,8 @@ Table light(std::string_view type, std::string_view what, std::string_view help,
                 {{"type", Kind::choice, none, any, "", "What kind of light it is.", true, {type}}, name_key("A name, for messages.")}};
     table.keys.insert(table.keys.end(), keys.begin(), keys.end());
     table.keys.push_back({"color", Kind::color, glm::dvec3(1.0), not_negative, "", "The colour of its light."});
+    table.keys.push_back({"power", Kind::color, none, not_negative, type == "directional" ? "W/m^2" : "W/sr",
+                          "For physical scenes, instead of intensity: what it gives, weighed by the eye; and its colour."});
     table.keys.push_back(
         {"intensity", Kind::number, none, Range{0.0, 1e6}, "",
          "Its share of the light. The shares of all lights sum to 1; when they do not, they are scaled. Lights without one "
@@ -59,7 +61,18 @@ const Table& camera() {
          {"up", Kind::direction, upwards, any, "", "What is up in the picture."},
          {"fov", Kind::number, 60.0, Range{0.0, 180.0, true, true}, "degrees",
           "The field of view, between two opposite edges of the picture."},
-         {"fov_axis", Kind::choice, "width", any, "", "Whether fov spans the picture's width or its height.", false, {"width", "height"}}}};
+         {"fov_axis", Kind::choice, "width", any, "", "Whether fov spans the picture's width or its height.", false, {"width", "height"}},
+         {"projection",
+          Kind::choice,
+          "perspective",
+          any,
+          "",
+          "How the picture shows space; a panorama shows all directions.",
+          false,
+          {"perspective", "orthographic", "panorama"}},
+         {"extent", Kind::number, 2.0, positive, "m", "Orthographic: what the picture spans along fov_axis."},
+         {"aperture", Kind::number, 0.0, not_negative, "m", "The diameter of the lens; 0 keeps everything sharp. Path integrator only."},
+         {"focus_distance", Kind::number, none, positive, "m", "To the plane that is sharp; look_at's when not written."}}};
     return table;
 }
 
@@ -84,26 +97,6 @@ const Table& spot_light() {
 const Table& directional_light() {
     static const Table table = light("directional", "a directional light", "Light from infinitely far away, such as the sun's.",
                                      {{"direction", Kind::direction, none, any, "", "The way the light travels.", true}});
-    return table;
-}
-
-const Table& whitted_material() {
-    static const Table table{
-        "material",
-        "a material",
-        "The classic material of ray tracing. Its weights are shares from 0 to 1.",
-        {{"type", Kind::choice, "whitted", any, "", "The model of the surface.", false, {"whitted"}},
-         {"color", Kind::texture, glm::dvec3(0.8), share, "", "The colour of the surface."},
-         {"ambient", Kind::number, 0.1, share, "", "How much of the scene's ambient light it gives back."},
-         {"diffuse", Kind::number, 0.9, share, "", "How much of the lights' light it scatters."},
-         {"highlight", Kind::number, 0.3, share, "", "How strong the highlights of the lights are."},
-         {"shininess", Kind::number, 50.0, Range{0.0, 1e6, true, false}, "",
-          "The exponent of the highlight: larger is smaller and sharper."},
-         {"reflectivity", Kind::number, 0.0, share, "", "How much it mirrors."},
-         {"transparency", Kind::number, 0.0, share, "", "How much passes into it; with reflectivity at most 1."},
-         {"refraction", Kind::refraction, 1.5, Range{0.1, 10.0}, "",
-          "The refractive index, the name of a glass, an index with its Abbe number, or Sellmeier coefficients."},
-         {"absorption", Kind::color, origin, not_negative, "1/m", "How fast each colour fades inside: exp(-absorption * depth)."}}};
     return table;
 }
 
@@ -270,8 +263,28 @@ const Table& render() {
         "the rendering",
         "How the picture is made; the command line has the last word.",
         {{"size", Kind::size, glm::dvec2(1280.0, 720.0), Range{1.0, 65536.0}, "pixels", "Width and height of the picture."},
-         {"integrator", Kind::choice, "whitted", any, "", "How light is followed.", false, {"whitted"}},
-         {"bounces", Kind::integer, 5.0, Range{0.0, 24.0}, "", "Reflections and refractions after the first hit."},
+         {"integrator",
+          Kind::choice,
+          "auto",
+          any,
+          "",
+          "How light is followed. auto: path where a material or a light follows physics, else whitted.",
+          false,
+          {"auto", "whitted", "path"}},
+         {"bounces", Kind::integer, none, Range{0.0, 1024.0}, "",
+          "How often light goes on after the first hit; 5 for whitted (at most 24), 16 for path when not written."},
+         {"spp", Kind::integer, 64.0, Range{1.0, 1048576.0}, "", "Samples a pixel of the path integrator."},
+         {"rgb", Kind::flag, false, any, "", "Paths carry linear RGB instead of wavelengths."},
+         {"seed", Kind::integer, 0.0, Range{0.0, 2147483647.0}, "", "Another number, another noise."},
+         {"filter",
+          Kind::choice,
+          "blackman_harris",
+          any,
+          "",
+          "How a pixel weighs the light around its middle (path).",
+          false,
+          {"box", "tent", "gaussian", "mitchell", "blackman_harris"}},
+         {"filter_radius", Kind::number, none, Range{0.1, 16.0}, "pixels", "How far the filter reaches; what suits it when not written."},
          {"ssaa", Kind::integer, 1.0, Range{1.0, 64.0}, "", "Supersampling: ssaa x ssaa samples a pixel."},
          {"aa",
           Kind::choice,

@@ -1,0 +1,84 @@
+// The keys of every kind of material. Defaults are those of scene/scene.h; a test holds them together.
+#include <glm/vec3.hpp>
+
+#include "lancer/import/toml/notation.h"
+
+namespace lancer::notation {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range any{};
+constexpr Range not_negative{0.0, infinity};
+constexpr Range share{0.0, 1.0};
+
+const Default none{};
+const glm::dvec3 origin{0.0};
+
+// The keys of a material that follows physics: its type, its own, and those that all have.
+Table physical(std::string_view type, std::string_view help, std::vector<Key> keys) {
+    Table table{type, "a material", help, {{"type", Kind::choice, none, any, "", "The model of the surface.", true, {type}}}};
+    table.keys.insert(table.keys.end(), keys.begin(), keys.end());
+    table.keys.push_back({"emission", Kind::texture, origin, not_negative, "W/(m^2 sr)",
+                          "The light that the surface gives by itself, weighed by the eye; the shape is a lamp then."});
+    table.keys.push_back({"emission_strength", Kind::number, 1.0, not_negative, "", "Multiplies emission."});
+    table.keys.push_back({"emission_sides", Kind::choice, "front", any, "", "Whether it shines outwards only.", false, {"front", "both"}});
+    return table;
+}
+
+const Key roughness{"roughness", Kind::number, 0.0, share, "", "From 0, polished, to 1; its square is the width of the facets' slopes."};
+const Key anisotropy{"anisotropy", Kind::number, 0.0, Range{0.0, 1.0}, "", "How much smoother the surface is along u than along v."};
+
+}  // namespace
+
+const Table& whitted_material() {
+    static const Table table{
+        "whitted",
+        "a material",
+        "The classic material of ray tracing. Its weights are shares from 0 to 1.",
+        {{"type", Kind::choice, "whitted", any, "", "The model of the surface.", false, {"whitted"}},
+         {"color", Kind::texture, glm::dvec3(0.8), share, "", "The colour of the surface."},
+         {"ambient", Kind::number, 0.1, share, "", "How much of the scene's ambient light it gives back."},
+         {"diffuse", Kind::number, 0.9, share, "", "How much of the lights' light it scatters."},
+         {"highlight", Kind::number, 0.3, share, "", "How strong the highlights of the lights are."},
+         {"shininess", Kind::number, 50.0, Range{0.0, 1e6, true, false}, "",
+          "The exponent of the highlight: larger is smaller and sharper."},
+         {"reflectivity", Kind::number, 0.0, share, "", "How much it mirrors."},
+         {"transparency", Kind::number, 0.0, share, "", "How much passes into it; with reflectivity at most 1."},
+         {"refraction", Kind::refraction, 1.5, Range{0.1, 10.0}, "",
+          "The refractive index, the name of a glass, an index with its Abbe number, or Sellmeier coefficients."},
+         {"absorption", Kind::color, origin, not_negative, "1/m", "How fast each colour fades inside: exp(-absorption * depth)."}}};
+    return table;
+}
+
+const Table& diffuse_material() {
+    static const Table table = physical("diffuse", "Scatters light to all sides alike, as chalk, plaster or paper.",
+                                        {{"color", Kind::texture, glm::dvec3(0.8), share, "", "The share of light that it scatters."},
+                                         {"roughness", Kind::number, 0.0, share, "", "Above 0: of small facets, as clay or the moon."}});
+    return table;
+}
+
+const Table& conductor_material() {
+    static const Table table = physical(
+        "conductor", "A metal, polished or rough.",
+        {{"metal", Kind::text, none, any, "", "Its name, such as \"gold\" or \"Cu\": measured indices are used; instead of color."},
+         {"color", Kind::texture, glm::dvec3(1.0), share, "", "The share of light that it mirrors when looked at straight on."},
+         roughness,
+         anisotropy});
+    return table;
+}
+
+const Table& dielectric_material() {
+    static const Table table = physical(
+        "dielectric", "A clear body, such as glass, water or a diamond.",
+        {{"refraction", Kind::refraction, 1.5, Range{0.1, 10.0}, "",
+          "The refractive index, the name of a glass, an index with its Abbe number, or Sellmeier coefficients."},
+         roughness,
+         anisotropy,
+         {"color", Kind::texture, glm::dvec3(1.0), share, "", "A tint of all light that it mirrors or lets through; white in nature."},
+         {"absorption", Kind::color, origin, not_negative, "1/m", "How fast each colour fades inside: exp(-absorption * depth)."},
+         {"thin", Kind::flag, false, any, "", "A pane without thickness: light passes straight through."}});
+    return table;
+}
+
+}  // namespace lancer::notation

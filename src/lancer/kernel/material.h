@@ -1,0 +1,121 @@
+// From a material's record to what it is at a point: a closure for its BSDF, and the light it gives.
+#ifndef LANCER_KERNEL_MATERIAL_H
+#define LANCER_KERNEL_MATERIAL_H
+
+#include "lancer/kernel/bsdf/closure.h"
+#include "lancer/kernel/refraction.h"
+#include "lancer/kernel/surface.h"
+#include "lancer/kernel/upsample.h"
+
+NAMESPACE_BEGIN
+
+// A smooth spectrum with these coefficients at the path's wavelengths.
+FN Spectrum smooth_spectrum(Vec3 coefficients, Vec4 nanometres) {
+    return vec4_of(sigmoid_polynomial(coefficients, nanometres.x), sigmoid_polynomial(coefficients, nanometres.y),
+                   sigmoid_polynomial(coefficients, nanometres.z), sigmoid_polynomial(coefficients, nanometres.w));
+}
+
+FN Spectrum rgb_value(Vec3 rgb) { return vec4_of(rgb.x, rgb.y, rgb.z, Float(0.0f)); }
+
+// A colour of the scene at a point of a surface. Only lanes of `mask` need an answer.
+FN Spectrum color_value(IN(WorldRecord) world, IN(ColorRecord) color, IN(SurfacePoint) point, Vec4 nanometres, Mask mask) {
+    Spectrum value = rgb_value(broadcast(color.rgb));
+    if (color.texture >= 0) {
+        TextureRecord texture = AT(world.textures, color.texture);
+        Vec3 rgb = texture_color(world, texture, point.local, point.local_in, point.uv, mask);
+        if (world.spectral != 0) {
+            value = smooth_spectrum(reflectance_coefficients(world.upsampling, rgb, mask), nanometres) * Float(color.scale);
+        } else {
+            value = rgb_value(rgb) * Float(color.scale);
+        }
+    } else if (world.spectral != 0) {
+        if (color.curve >= 0) {
+            value = curve_value(world, color.curve, nanometres, mask) * Float(color.scale);
+        } else {
+            value = smooth_spectrum(broadcast(color.coefficients), nanometres) * Float(color.scale);
+        }
+    }
+    if (world.spectral != 0 && color.illuminant >= 0) {
+        value = value * curve_value(world, color.illuminant, nanometres, mask);
+    }
+    return value;
+}
+
+// The geometry that a path meets, what it is made of, and the light that it gives towards the path.
+struct PathVertex {
+    SurfacePoint point;
+    Closure closure;
+    Spectrum emission;
+    Int material;
+    Int emitter;  // -1: none
+    Mask inside;  // the path comes from within
+};
+
+FN PathVertex no_vertex() {
+    PathVertex v;
+    v.point = no_surface();
+    v.closure = no_closure();
+    v.emission = black();
+    v.material = Int(-1);
+    v.emitter = Int(-1);
+    v.inside = Float(1.0f) < Float(0.0f);
+    return v;
+}
+
+FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) point, Vec4 nanometres, Mask mask) {
+    Closure c = no_closure();
+    c.kind = Int(material.kind);
+    c.color = color_value(world, material.color, point, nanometres, mask);
+    if (material.kind == BSDF_CONDUCTOR) {
+        c.index = color_value(world, material.index, point, nanometres, mask);
+        c.extinction = color_value(world, material.extinction, point, nanometres, mask);
+    }
+    c.roughness_x = Float(material.roughness_x);
+    c.roughness_y = Float(material.roughness_y);
+    return c;
+}
+
+// Lanes that hit the same object are done together. Indices of clear borders are not found here: they need to know what the path is inside of.
+FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Vec4 nanometres, Mask here, INOUT(PathVertex) vertex) {
+    Mask todo = here;
+    while (some(todo)) {
+        int number = first_of(hit.object, todo);
+        Mask mine = both(todo, is_equal(hit.object, Int(number)));
+        ObjectRecord object = AT(world.objects, number);
+        MaterialRecord material = AT(world.surfaces, object.material);
+        SurfacePoint s = object_surface(world, object, ray, hit, mine);
+        if (object.kind == OBJECT_SPHERE) {
+            s.uv = sphere_uv(s.normal);
+        }
+        Mask inside = dot(s.normal, ray.direction) > Float(0.0f);
+        vertex.point.position = select(mine, s.position, vertex.point.position);
+        vertex.point.error = select(mine, s.error, vertex.point.error);
+        vertex.point.normal = select(mine, s.normal, vertex.point.normal);
+        vertex.point.shading = select(mine, s.shading, vertex.point.shading);
+        vertex.inside = either(vertex.inside, both(mine, inside));
+        vertex.material = select(mine, Int(object.material), vertex.material);
+        vertex.emitter = select(mine, Int(object.emitter), vertex.emitter);
+        if ((material.flags & MATERIAL_EMITS) != 0) {
+            Mask shines = mine;
+            if ((material.flags & MATERIAL_EMITS_BEHIND) == 0) {
+                shines = without(mine, inside);
+            }
+            vertex.emission = select(shines, color_value(world, material.emission, s, nanometres, shines), vertex.emission);
+        }
+        Closure c = material_closure(world, material, s, nanometres, mine);
+        if ((material.flags & MATERIAL_ONE_SIDED) != 0) {
+            c.kind = select(inside, Int(BSDF_NONE), c.kind);
+        }
+        vertex.closure.kind = select(mine, c.kind, vertex.closure.kind);
+        vertex.closure.color = select(mine, c.color, vertex.closure.color);
+        vertex.closure.index = select(mine, c.index, vertex.closure.index);
+        vertex.closure.extinction = select(mine, c.extinction, vertex.closure.extinction);
+        vertex.closure.roughness_x = select(mine, c.roughness_x, vertex.closure.roughness_x);
+        vertex.closure.roughness_y = select(mine, c.roughness_y, vertex.closure.roughness_y);
+        todo = without(todo, mine);
+    }
+}
+
+NAMESPACE_END
+
+#endif

@@ -1,0 +1,105 @@
+#include "lancer/world/surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "lancer/spectrum/metal.h"
+#include "lancer/spectrum/sensor.h"
+
+namespace lancer {
+
+namespace {
+
+class Surfaces {
+public:
+    Surfaces(World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics)
+        : world_(world), textures_(textures), colors_(colors), diagnostics_(diagnostics) {}
+
+    void add(const scene::Material& material) {
+        position_ = &material.position;
+        kernel::MaterialRecord record{};
+        record.color = colors_.constant(0.0);
+        record.index = colors_.constant(1.0);
+        record.extinction = colors_.constant(0.0);
+        record.emission = colors_.constant(0.0);
+        record.clearness = colors_.constant(1.0);
+        record.detail = -1;
+        std::visit([&](const auto& model) { set(model, record); }, material.model);
+        if (material.emission) {
+            record.emission = colors_.light(textures_.add(material.emission->radiance), material.emission->strength);
+            record.flags |= kernel::MATERIAL_EMITS;
+            if (material.emission->both_sides) {
+                record.flags |= kernel::MATERIAL_EMITS_BEHIND;
+            }
+        }
+        world_.surfaces.push_back(record);
+    }
+
+private:
+    void set(const scene::WhittedMaterial&, kernel::MaterialRecord&) {
+        diagnostics_.error(*position_,
+                           "this material is for the whitted integrator; for path it needs a type: diffuse, conductor or dielectric");
+    }
+
+    void set(const scene::DiffuseMaterial& material, kernel::MaterialRecord& record) {
+        record.kind = material.roughness > 0.0 ? kernel::BSDF_ROUGH_DIFFUSE : kernel::BSDF_DIFFUSE;
+        record.color = colors_.reflectance(textures_.add(material.color));
+        record.roughness_x = static_cast<float>(material.roughness);
+    }
+
+    void set(const scene::ConductorMaterial& material, kernel::MaterialRecord& record) {
+        record.kind = kernel::BSDF_CONDUCTOR;
+        set_roughness(material.roughness, material.anisotropy, record);
+        if (const auto metal = find_metal(material.metal)) {
+            // As RGB: each channel's index is the mean of the spectrum as the channel sees it.
+            record.color = colors_.constant(1.0);
+            record.index = colors_.curve(metal->n, seen(metal->n));
+            record.extinction = colors_.curve(metal->k, seen(metal->k));
+        } else {
+            // A perfect mirror times the colour.
+            record.color = colors_.reflectance(textures_.add(material.color));
+            record.index = colors_.constant(0.0);
+            record.extinction = colors_.constant(1.0);
+        }
+    }
+
+    void set(const scene::DielectricMaterial& material, kernel::MaterialRecord& record) {
+        record.kind = material.thin ? kernel::BSDF_THIN_DIELECTRIC : kernel::BSDF_DIELECTRIC;
+        record.color = colors_.reflectance(textures_.add(material.color));
+        set_roughness(material.roughness, material.anisotropy, record);
+        const double most = std::max({material.absorption.x, material.absorption.y, material.absorption.z});
+        if (most > 0.0) {
+            // The depth at which the strongest colour has faded to 1/e: neither 0 nor 1, which no spectrum could tell from their neighbours.
+            record.clear_distance = static_cast<float>(1.0 / most);
+            record.clearness = colors_.reflectance(glm::exp(-material.absorption / most));
+        }
+    }
+
+    static void set_roughness(double roughness, double anisotropy, kernel::MaterialRecord& record) {
+        const double alpha = roughness * roughness;
+        const double aspect = std::sqrt(1.0 - 0.9 * anisotropy);
+        record.roughness_x = static_cast<float>(std::min(alpha * aspect, 1.0));
+        record.roughness_y = static_cast<float>(std::min(alpha / aspect, 1.0));
+    }
+
+    static scene::Rgb seen(const SpectralCurve& curve) { return glm::max(reflected_rgb(curve), scene::Rgb(0.0)); }
+
+    World& world_;
+    Textures& textures_;
+    Colors& colors_;
+    Diagnostics& diagnostics_;
+    const SourcePosition* position_ = nullptr;
+};
+
+}  // namespace
+
+void compile_surfaces(const scene::Scene& scene, World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics) {
+    Surfaces surfaces(world, textures, colors, diagnostics);
+    for (const scene::Material& material : scene.materials) {
+        surfaces.add(material);
+    }
+}
+
+}  // namespace lancer

@@ -1,0 +1,35 @@
+// Materials that follow physics, as records; and colours as spectra.
+#pragma once
+
+#include "lancer/base/diagnostic.h"
+#include "lancer/scene/scene.h"
+#include "lancer/spectrum/curve.h"
+#include "lancer/world/textures.h"
+#include "lancer/world/world.h"
+
+namespace lancer {
+
+// Colours of a scene as records. Fills world.curves.
+class Colors {
+public:
+    explicit Colors(World& world) : world_(world) {}
+
+    kernel::ColorRecord constant(double value);
+    kernel::ColorRecord reflectance(const scene::Rgb& rgb);
+    kernel::ColorRecord reflectance(const CompiledTexture& texture);
+    kernel::ColorRecord light(const scene::Rgb& rgb);
+    kernel::ColorRecord light(const CompiledTexture& texture, double strength);
+    // `rgb` stands for the curve where paths carry RGB.
+    kernel::ColorRecord curve(const SpectralCurve& curve, const scene::Rgb& rgb);
+
+private:
+    int add_curve(const SpectralCurve& curve);
+
+    World& world_;
+    int daylight_ = -1;  // D65, once it is needed
+};
+
+// Fills world.surfaces, one for each of scene.materials, which must all follow physics.
+void compile_surfaces(const scene::Scene& scene, World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics);
+
+}  // namespace lancer
