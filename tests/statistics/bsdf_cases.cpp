@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "lancer/world/albedo.h"
+
 namespace lancer::statistics {
 namespace {
 
@@ -30,6 +32,18 @@ Closure conductor(const Spectrum& color, float x, float y, bool perfect) {
     // Gold from 480 to 700 nm, about; or a mirror without loss.
     c.index = perfect ? vec4_all(0.0f) : vec4_of(0.13f, 0.35f, 0.85f, 1.3f);
     c.extinction = perfect ? vec4_all(1.0f) : vec4_of(3.8f, 2.6f, 1.9f, 1.8f);
+    return c;
+}
+
+Closure beckmann(Closure c) {
+    c.beckmann = true;
+    return c;
+}
+
+BsdfCase beckmann(BsdfCase c) {
+    c.name += ", Beckmann's";
+    c.closure.beckmann = true;
+    c.other_side.beckmann = true;
     return c;
 }
 
@@ -65,9 +79,15 @@ std::vector<BsdfCase> bsdf_cases() {
          {std::pair{0.0f, 0.0f}, {0.05f, 0.05f}, {0.2f, 0.2f}, {0.1f, 0.4f}, {0.6f, 0.6f}, {1.0f, 1.0f}, {1.0f, 0.2f}}) {
         cases.push_back(opaque(fmt::format("conductor {} {}", x, y), conductor(tinted, x, y, false)));
     }
+    for (const auto& [x, y] : {std::pair{0.1f, 0.1f}, {0.5f, 0.5f}, {0.1f, 0.6f}, {1.0f, 1.0f}}) {
+        cases.push_back(opaque(fmt::format("conductor of Beckmann's {} {}", x, y), beckmann(conductor(tinted, x, y, false))));
+    }
     for (const float eta : {1.5f, 1.0f / 1.5f, 1.1f, 2.4f}) {
         for (const auto& [x, y] : {std::pair{0.0f, 0.0f}, {0.1f, 0.1f}, {0.5f, 0.5f}, {0.2f, 0.6f}, {1.0f, 1.0f}}) {
             cases.push_back(dielectric("dielectric", tinted, eta, x, y));
+            if (x > 0.1f) {
+                cases.push_back(beckmann(cases.back()));
+            }
         }
     }
     BsdfCase thin = opaque("thin dielectric", closure_of(BSDF_THIN_DIELECTRIC, tinted));
@@ -84,12 +104,29 @@ std::vector<BsdfCase> white_cases() {
     for (const float r : {0.0f, 0.2f, 0.5f, 1.0f}) {
         cases.push_back(opaque(fmt::format("rough diffuse {}", r), rough(closure_of(BSDF_ROUGH_DIFFUSE, white), r, r)));
     }
-    cases.push_back(opaque("conductor 0", conductor(white, 0.0f, 0.0f, true)));
+    for (const float alpha : {0.0f, 0.0025f, 0.01f, 0.04f, 0.1f, 0.2f, 0.35f, 0.5f, 0.65f, 0.8f, 1.0f}) {
+        cases.push_back(opaque(fmt::format("conductor {}", alpha), conductor(white, alpha, alpha, true)));
+        cases.push_back(opaque(fmt::format("conductor of Beckmann's {}", alpha), beckmann(conductor(white, alpha, alpha, true))));
+        for (const float eta : {1.1f, 1.5f, 2.4f, 1.0f / 1.1f, 1.0f / 1.5f, 1.0f / 2.4f}) {
+            cases.push_back(dielectric("dielectric", white, eta, alpha, alpha));
+            if (eta < 1.0f && eta > 0.8f) {
+                cases.back().furnace =
+                    0.02;  // from within a body that hardly bends light all but the slanted rays go through: the table is coarse there
+            }
+            cases.push_back(beckmann(cases.back()));
+        }
+    }
+    for (const auto& [x, y] : {std::pair{0.1f, 0.2f}, {0.3f, 0.6f}, {0.1f, 0.8f}}) {
+        // Only roughly: the table knows no directions around the normal.
+        cases.push_back(opaque(fmt::format("conductor {} {}", x, y), conductor(white, x, y, true)));
+        cases.back().furnace = 0.15;
+        cases.push_back(dielectric("dielectric", white, 1.5f, x, y));
+        cases.back().furnace = 0.05;
+    }
     BsdfCase thin = opaque("thin dielectric", closure_of(BSDF_THIN_DIELECTRIC, white));
     thin.closure.index = vec4_all(1.5f);
     thin.transmits = true;
     cases.push_back(thin);
-    cases.push_back(dielectric("dielectric", white, 1.5f, 0.0f, 0.0f));
     for (BsdfCase& c : cases) {
         c.white = true;
     }
@@ -101,10 +138,22 @@ Vec3 direction_of(double cosine, double angle) {
     return vec3_of(static_cast<float>(sine * std::cos(angle)), static_cast<float>(sine * std::sin(angle)), static_cast<float>(cosine));
 }
 
-BsdfValue value_of(const Closure& closure, const Vec3& wo, const Vec3& wi) { return bsdf_value(closure, wo, wi, true); }
+namespace {
+
+WorldRecord world_of_tables() {
+    WorldRecord world{};
+    world.albedo = microfacet_albedo_table().data();
+    return world;
+}
+
+const WorldRecord world = world_of_tables();
+
+}  // namespace
+
+BsdfValue value_of(const Closure& closure, const Vec3& wo, const Vec3& wi) { return bsdf_value(world, closure, wo, wi, true); }
 
 BsdfSample sample_of(const Closure& closure, const Vec3& wo, double choice, double u, double v) {
-    return bsdf_sample(closure, wo, static_cast<float>(choice), vec2_of(static_cast<float>(u), static_cast<float>(v)), true);
+    return bsdf_sample(world, closure, wo, static_cast<float>(choice), vec2_of(static_cast<float>(u), static_cast<float>(v)), true);
 }
 
 }  // namespace lancer::statistics

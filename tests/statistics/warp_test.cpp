@@ -92,29 +92,43 @@ TEST(Warp, Wavelengths) {
     }
 }
 
+Facets facets(float x, float y, bool beckmann) {
+    Facets f;
+    f.x = x;
+    f.y = y;
+    f.beckmann = beckmann;
+    return f;
+}
+
 TEST(Warp, VisibleNormals) {
-    for (const auto& [ax, ay] : {std::pair{0.1f, 0.1f}, {0.5f, 0.5f}, {1.0f, 1.0f}, {0.1f, 0.6f}, {1.0f, 0.3f}}) {
-        for (const double cosine : {1.0, 0.7, 0.2, 0.02}) {
-            SCOPED_TRACE(testing::Message() << ax << " " << ay << " from cosine " << cosine);
-            const Vec3 wo = direction_of(cosine, 0.9);
-            const Verdict verdict = check([&](Vec2 u) { return place_of(ggx_visible_normal(wo, ax, ay, u)); },
-                                          [&](double x, double y) {
-                                              const Vec3 m = direction_of(2.0 * y - 1.0, (2.0 * x - 1.0) * pi);
-                                              return m.z > 0.0f ? double(ggx_visible_density(wo, m, ax, ay)) * 4.0 * pi : 0.0;
-                                          });
-            EXPECT_TRUE(verdict.right()) << verdict.words();
+    for (const bool beckmann : {false, true}) {
+        for (const auto& [x, y] : {std::pair{0.1f, 0.1f}, {0.5f, 0.5f}, {1.0f, 1.0f}, {0.1f, 0.6f}, {1.0f, 0.3f}}) {
+            for (const double cosine : {1.0, 0.7, 0.2, 0.02}) {
+                SCOPED_TRACE(testing::Message() << (beckmann ? "Beckmann's " : "GGX ") << x << " " << y << " from cosine " << cosine);
+                const Facets f = facets(x, y, beckmann);
+                const Vec3 wo = direction_of(cosine, 0.9);
+                const Verdict verdict = check([&](Vec2 u) { return place_of(facets_visible_normal(f, wo, u)); },
+                                              [&](double across, double up) {
+                                                  const Vec3 m = direction_of(2.0 * up - 1.0, (2.0 * across - 1.0) * pi);
+                                                  return m.z > 0.0f ? double(facets_visible_density(f, wo, m)) * 4.0 * pi : 0.0;
+                                              });
+                EXPECT_TRUE(verdict.right()) << verdict.words();
+            }
         }
     }
 }
 
 // What is seen of all facets together is the surface itself: the integral of D (n.m) is 1.
 TEST(Warp, FacetsCoverTheSurface) {
-    for (const auto& [ax, ay] : {std::pair{0.05f, 0.05f}, {0.5f, 0.5f}, {1.0f, 1.0f}, {0.1f, 0.6f}}) {
-        const auto covered = [&](double x, double y) {
-            const Vec3 m = direction_of(y, 2.0 * pi * x);
-            return Pair{double(ggx_density(m, ax, ay)) * y * 2.0 * pi, 0.0};
-        };
-        EXPECT_NEAR(integrate(covered, 0.0, 1.0, 0.0, 1.0, 1e-6, 4, 12).density, 1.0, 1e-4) << ax << " " << ay;
+    for (const bool beckmann : {false, true}) {
+        for (const auto& [a, b] : {std::pair{0.05f, 0.05f}, {0.5f, 0.5f}, {1.0f, 1.0f}, {0.1f, 0.6f}}) {
+            const Facets f = facets(a, b, beckmann);
+            const auto covered = [&](double x, double y) {
+                const Vec3 m = direction_of(y, 2.0 * pi * x);
+                return Pair{double(facets_density(f, m)) * y * 2.0 * pi, 0.0};
+            };
+            EXPECT_NEAR(integrate(covered, 0.0, 1.0, 0.0, 1.0, 1e-6, 4, 12).density, 1.0, 1e-4) << a << " " << b;
+        }
     }
 }
 

@@ -62,6 +62,21 @@ FN PathVertex no_vertex() {
     return v;
 }
 
+FN Mask all_or_none(bool yes) { return Float(yes ? 1.0f : 0.0f) > Float(0.5f); }
+
+// Of a film on the surface, over the wavelength; red, green and blue stand for one wavelength each.
+FN Spectrum film_thickness(IN(MaterialRecord) material, Vec4 nanometres, bool spectral) {
+    Spectrum film = black();
+    if (material.film_thickness > 0.0f) {
+        Vec4 at = nanometres;
+        if (!spectral) {
+            at = vec4_of(Float(611.0f), Float(549.0f), Float(464.0f), Float(549.0f));
+        }
+        film = vec4_all(Float(material.film_thickness)) / at;
+    }
+    return film;
+}
+
 FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) point, Vec4 nanometres, Mask mask) {
     Closure c = no_closure();
     c.kind = Int(material.kind);
@@ -72,6 +87,32 @@ FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, 
     }
     c.roughness_x = Float(material.roughness_x);
     c.roughness_y = Float(material.roughness_y);
+    c.beckmann = all_or_none((material.flags & MATERIAL_BECKMANN) != 0);
+    if (material.kind == BSDF_PLASTIC || material.kind == BSDF_PRINCIPLED) {
+        c.index = vec4_all(Float(material.eta));
+        c.extinction = color_value(world, material.extinction, point, nanometres, mask);
+        c.saturates = all_or_none((material.flags & MATERIAL_SATURATES) != 0);
+    }
+    if (material.kind == BSDF_PRINCIPLED) {
+        c.sheen = color_value(world, material.index, point, nanometres, mask);
+        c.metalness = Float(material.metalness);
+        c.transmission = Float(material.transmission);
+        c.coat = Float(material.coat);
+        c.coat_roughness = Float(material.coat_roughness);
+        c.coat_index = Float(material.coat_index);
+        c.sheen_roughness = Float(material.sheen_roughness);
+        c.film_index = Float(material.film_index);
+        c.film = film_thickness(material, nanometres, world.spectral != 0);
+        c.thin = all_or_none((material.flags & MATERIAL_THIN) != 0);
+        if (material.detail >= 0) {
+            TextureRecord texture = AT(world.textures, material.detail);
+            Vec3 detail = texture_color(world, texture, point.local, point.local_in, point.uv, mask);
+            // The texture scales the roughness that people speak of, the root of alpha.
+            c.roughness_x = c.roughness_x * detail.y * detail.y;
+            c.roughness_y = c.roughness_y * detail.y * detail.y;
+            c.metalness = c.metalness * detail.z;
+        }
+    }
     return c;
 }
 
@@ -106,12 +147,7 @@ FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Vec4 nanome
         if ((material.flags & MATERIAL_ONE_SIDED) != 0) {
             c.kind = select(inside, Int(BSDF_NONE), c.kind);
         }
-        vertex.closure.kind = select(mine, c.kind, vertex.closure.kind);
-        vertex.closure.color = select(mine, c.color, vertex.closure.color);
-        vertex.closure.index = select(mine, c.index, vertex.closure.index);
-        vertex.closure.extinction = select(mine, c.extinction, vertex.closure.extinction);
-        vertex.closure.roughness_x = select(mine, c.roughness_x, vertex.closure.roughness_x);
-        vertex.closure.roughness_y = select(mine, c.roughness_y, vertex.closure.roughness_y);
+        vertex.closure = select_closure(mine, c, vertex.closure);
         todo = without(todo, mine);
     }
 }

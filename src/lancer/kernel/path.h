@@ -114,7 +114,8 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
         discrete = either(discrete, both(good, s.discrete));
         // From just off this surface to just before the other.
         Vec3 start = leave_surface(vertex.point.position, vertex.point.error, normal, s.direction);
-        Vec3 end = leave_surface(s.target, s.error, s.normal, -s.direction);
+        // A ray's own rounding puts it off its line by some units for each unit of length, and so the distance to a plane.
+        Vec3 end = leave_surface(s.target, s.error + vec3_all(s.distance * Float(8.0f * ROUNDING)), s.normal, -s.direction);
         Vec3 way = end - start;
         Float reach = length(way);
         Mask far = s.distance >= Float(FAR);
@@ -126,7 +127,7 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
     going = without(both(going, shadow.reach > Float(0.0f)), is_black(light));
     if (some(going)) {
         Vec3 wi = to_local(frame, shadow.direction);
-        BsdfValue value = bsdf_value(vertex.closure, wo, wi, going);
+        BsdfValue value = bsdf_value(world, vertex.closure, wo, wi, going);
         // Through a surface only where both its normals agree that it is through.
         Mask agree = (wi.z * dot(normal, shadow.direction)) > Float(0.0f);
         going = without(both(going, agree), is_black(value.value));
@@ -243,7 +244,8 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
         Frame frame = frame_around(shading);
         Vec3 wo = to_local(frame, view);
         Mask thin = is_equal(vertex.closure.kind, Int(BSDF_THIN_DIELECTRIC));
-        Mask clear = both(here, either(is_equal(vertex.closure.kind, Int(BSDF_DIELECTRIC)), thin));
+        Mask clear = both(here, either(is_clear(vertex.closure), thin));
+        Mask sheet = either(thin, vertex.closure.thin);
         Media beyond = path.media;
         if (some(clear)) {
             find_border(world, path, clear, thin, vertex, beyond);
@@ -259,7 +261,7 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
             if (world.emitter_count > 0 && some(asking)) {
                 ask_emitter(world, vertex, frame, normal, wo, choice.x, decide(path, depth, DECISION_LIGHT), asking, path, tally);
             }
-            BsdfSample next = bsdf_sample(vertex.closure, wo, choice.y, decide(path, depth, DECISION_DIRECTION), going);
+            BsdfSample next = bsdf_sample(world, vertex.closure, wo, choice.y, decide(path, depth, DECISION_DIRECTION), going);
             Vec3 direction = normalize(to_world(frame, next.wi));
             Float rises = dot(direction, normal);
             Mask right_side = either(both(next.transmits, rises < Float(0.0f)), without(rises > Float(0.0f), next.transmits));
@@ -268,7 +270,7 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
             path.density = next.density;
             path.origin = leave_surface(vertex.point.position, vertex.point.error, normal, direction);
             path.direction = direction;
-            Mask crosses = without(both(going, next.transmits), thin);
+            Mask crosses = without(both(going, next.transmits), sheet);
             path.media = select_media(crosses, beyond, path.media);
             Float eta = vertex.closure.index.x;
             path.squeeze = select(crosses, path.squeeze * eta * eta, path.squeeze);

@@ -1,5 +1,6 @@
 #include "lancer/world/world.h"
 
+#include "lancer/world/albedo.h"
 
 namespace lancer {
 
@@ -35,6 +36,7 @@ kernel::WorldRecord World::record() const {
     r.distributions = distributions.data();
     r.curves = curves.data();
     r.upsampling = upsampling.data();
+    r.albedo = microfacet_albedo_table().data();
     r.observer = observer.data();
     r.lights = lights.data();
     r.bands = bands.data();

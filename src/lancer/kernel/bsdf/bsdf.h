@@ -10,12 +10,19 @@ NAMESPACE_BEGIN
 
 // Whether all that the surface does is mirror and let through: no direction that was drawn elsewhere can be right.
 FN Mask is_smooth(IN(Closure) c) {
-    Mask facets = either(is_equal(c.kind, Int(BSDF_CONDUCTOR)), is_equal(c.kind, Int(BSDF_DIELECTRIC)));
-    return either(without(facets, is_rough(c)), is_equal(c.kind, Int(BSDF_THIN_DIELECTRIC)));
+    Mask mirror = without(is_equal(c.kind, Int(BSDF_CONDUCTOR)), is_rough(c));
+    Mask glass = without(is_equal(c.kind, Int(BSDF_DIELECTRIC)), is_rough_border(c));
+    return either(either(mirror, glass), is_equal(c.kind, Int(BSDF_THIN_DIELECTRIC)));
+}
+
+// Whether what goes through is bent by the border of two media: the path has to know which.
+FN Mask is_clear(IN(Closure) c) {
+    Mask principled = both(is_equal(c.kind, Int(BSDF_PRINCIPLED)), without(c.transmission > Float(0.0f), c.thin));
+    return either(is_equal(c.kind, Int(BSDF_DIELECTRIC)), principled);
 }
 
 // Value and density of a direction that was drawn elsewhere; smooth surfaces have none.
-FN BsdfValue bsdf_value(IN(Closure) c, Vec3 wo, Vec3 wi, Mask mask) {
+FN BsdfValue bsdf_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 wi, Mask mask) {
     BsdfValue value = no_value();
     Mask todo = mask;
     while (some(todo)) {
@@ -26,9 +33,9 @@ FN BsdfValue bsdf_value(IN(Closure) c, Vec3 wo, Vec3 wi, Mask mask) {
         } else if (kind == BSDF_ROUGH_DIFFUSE) {
             value = select_value(mine, rough_diffuse_value(c, wo, wi), value);
         } else if (kind == BSDF_CONDUCTOR) {
-            value = select_value(mine, conductor_value(c, wo, wi), value);
+            value = select_value(mine, conductor_value(world, c, wo, wi, mine), value);
         } else if (kind == BSDF_DIELECTRIC) {
-            value = select_value(mine, dielectric_value(c, wo, wi), value);
+            value = select_value(mine, dielectric_value(world, c, wo, wi, mine), value);
         }
         todo = without(todo, mine);
     }
@@ -36,7 +43,7 @@ FN BsdfValue bsdf_value(IN(Closure) c, Vec3 wo, Vec3 wi, Mask mask) {
 }
 
 // A direction for the path to go on, by three numbers in [0, 1).
-FN BsdfSample bsdf_sample(IN(Closure) c, Vec3 wo, Float choice, Vec2 u, Mask mask) {
+FN BsdfSample bsdf_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Float choice, Vec2 u, Mask mask) {
     BsdfSample drawn = no_sample();
     Mask todo = mask;
     while (some(todo)) {
@@ -47,9 +54,9 @@ FN BsdfSample bsdf_sample(IN(Closure) c, Vec3 wo, Float choice, Vec2 u, Mask mas
         } else if (kind == BSDF_ROUGH_DIFFUSE) {
             drawn = select_sample(mine, rough_diffuse_sample(c, wo, u), drawn);
         } else if (kind == BSDF_CONDUCTOR) {
-            drawn = select_sample(mine, conductor_sample(c, wo, u), drawn);
+            drawn = select_sample(mine, conductor_sample(world, c, wo, choice, u, mine), drawn);
         } else if (kind == BSDF_DIELECTRIC) {
-            drawn = select_sample(mine, dielectric_sample(c, wo, choice, u), drawn);
+            drawn = select_sample(mine, dielectric_sample(world, c, wo, choice, u, mine), drawn);
         } else if (kind == BSDF_THIN_DIELECTRIC) {
             drawn = select_sample(mine, thin_dielectric_sample(c, wo, choice), drawn);
         }

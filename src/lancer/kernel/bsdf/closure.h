@@ -12,12 +12,26 @@ NAMESPACE_BEGIN
 struct Closure {
     Int kind;             // BSDF_*
     Spectrum color;       // reflectance or tint
-    Spectrum index;       // conductors: n; dielectrics: index behind the surface over the one in front
-    Spectrum extinction;  // conductors: k
+    Spectrum index;       // conductors: n; others: index behind the surface over the one in front
+    Spectrum extinction;  // conductors: k; plastic and principled: tint of what the surface reflects
+    Spectrum sheen;       // principled, as are all fields from `metalness` on: see MaterialRecord
     Float roughness_x;
     Float roughness_y;
+    Float metalness;
+    Float transmission;
+    Float coat;
+    Float coat_roughness;
+    Float coat_index;
+    Float sheen_roughness;
+    Spectrum film;  // thickness over wavelength, 0: none
+    Float film_index;
     Mask disperses;  // `index` differs from wavelength to wavelength: what is refracted goes on with the first only
+    Mask beckmann;
+    Mask saturates;
+    Mask thin;
 };
+
+FN Mask nowhere() { return Float(1.0f) < Float(0.0f); }
 
 FN Closure no_closure() {
     Closure c;
@@ -25,9 +39,47 @@ FN Closure no_closure() {
     c.color = black();
     c.index = vec4_all(Float(1.0f));
     c.extinction = black();
+    c.sheen = black();
     c.roughness_x = Float(0.0f);
     c.roughness_y = Float(0.0f);
-    c.disperses = Float(1.0f) < Float(0.0f);
+    c.metalness = Float(0.0f);
+    c.transmission = Float(0.0f);
+    c.coat = Float(0.0f);
+    c.coat_roughness = Float(0.0f);
+    c.coat_index = Float(1.5f);
+    c.sheen_roughness = Float(0.0f);
+    c.film = black();
+    c.film_index = Float(1.0f);
+    c.disperses = nowhere();
+    c.beckmann = nowhere();
+    c.saturates = nowhere();
+    c.thin = nowhere();
+    return c;
+}
+
+FN Mask select_mask(Mask mask, Mask a, Mask b) { return either(both(mask, a), without(b, mask)); }
+
+FN Closure select_closure(Mask mask, IN(Closure) a, IN(Closure) b) {
+    Closure c;
+    c.kind = select(mask, a.kind, b.kind);
+    c.color = select(mask, a.color, b.color);
+    c.index = select(mask, a.index, b.index);
+    c.extinction = select(mask, a.extinction, b.extinction);
+    c.sheen = select(mask, a.sheen, b.sheen);
+    c.roughness_x = select(mask, a.roughness_x, b.roughness_x);
+    c.roughness_y = select(mask, a.roughness_y, b.roughness_y);
+    c.metalness = select(mask, a.metalness, b.metalness);
+    c.transmission = select(mask, a.transmission, b.transmission);
+    c.coat = select(mask, a.coat, b.coat);
+    c.coat_roughness = select(mask, a.coat_roughness, b.coat_roughness);
+    c.coat_index = select(mask, a.coat_index, b.coat_index);
+    c.sheen_roughness = select(mask, a.sheen_roughness, b.sheen_roughness);
+    c.film = select(mask, a.film, b.film);
+    c.film_index = select(mask, a.film_index, b.film_index);
+    c.disperses = select_mask(mask, a.disperses, b.disperses);
+    c.beckmann = select_mask(mask, a.beckmann, b.beckmann);
+    c.saturates = select_mask(mask, a.saturates, b.saturates);
+    c.thin = select_mask(mask, a.thin, b.thin);
     return c;
 }
 
@@ -75,9 +127,9 @@ FN BsdfSample select_sample(Mask mask, IN(BsdfSample) a, IN(BsdfSample) b) {
     s.wi = select(mask, a.wi, b.wi);
     s.weight = select(mask, a.weight, b.weight);
     s.density = select(mask, a.density, b.density);
-    s.discrete = either(both(mask, a.discrete), without(b.discrete, mask));
-    s.transmits = either(both(mask, a.transmits), without(b.transmits, mask));
-    s.valid = either(both(mask, a.valid), without(b.valid, mask));
+    s.discrete = select_mask(mask, a.discrete, b.discrete);
+    s.transmits = select_mask(mask, a.transmits, b.transmits);
+    s.valid = select_mask(mask, a.valid, b.valid);
     return s;
 }
 

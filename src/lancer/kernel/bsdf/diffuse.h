@@ -23,8 +23,8 @@ FN BsdfSample diffuse_sample(IN(Closure) c, Vec2 u) {
     return s;
 }
 
-// ---- Rough: Oren and Nayar's facets with all the light that goes from facet to facet, so that white stays white [Portsmouth, Kutz and Hill
-// 2024]. `roughness_x` is their roughness r from 0 to 1.
+// ---- Rough: Oren and Nayar's facets with all the light that goes from facet to facet, so that white stays white
+// [Portsmouth et al. 2024]. `roughness_x` is their roughness r from 0 to 1.
 
 const float FON_1 = 0.28779262f;  // 1/2 - 2 / (3 pi)
 const float FON_2 = 0.07248822f;  // 2/3 - 28 / (15 pi)

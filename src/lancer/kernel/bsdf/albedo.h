@@ -1,0 +1,120 @@
+// How much light rough surfaces reflect after one meeting with a facet, tabulated; what is left to 1 has met more than one, and is given back
+// by smooth lobes [Kulla and Conty 2017].
+//
+// The table (world.albedo, made by world/generator/make_albedo_table.cpp) has nodes at even steps of the root of the cosine, of the root of
+// the roughness alpha, and of the root of (eta - 1) / (eta + 1). Its parts, each for GGX and then for Beckmann:
+//   mirror   1 - albedo of facets that reflect everything
+//   coat     albedo of what a clear border reflects, seen from outside
+//   border   1 - albedo of what it reflects and lets through, from the side of lower index and then from the other
+// then the sheen's albedo; then the means of all these, weighted by the cosine, over directions.
+#ifndef LANCER_KERNEL_BSDF_ALBEDO_H
+#define LANCER_KERNEL_BSDF_ALBEDO_H
+
+#include "lancer/kernel/bsdf/microfacet.h"
+#include "lancer/kernel/tables.h"
+
+NAMESPACE_BEGIN
+
+const int ALBEDO_COSINES = 32;
+const int ALBEDO_ROUGHNESSES = 32;
+const int ALBEDO_INDICES = 16;
+const float ALBEDO_LARGEST_RATIO = 0.5f;  // (eta - 1) / (eta + 1) of eta = 3
+const int ALBEDO_SHEET = ALBEDO_COSINES * ALBEDO_ROUGHNESSES;
+
+// Sheets of all cosines and roughnesses, counted from the start.
+const int ALBEDO_MIRROR = 0;
+const int ALBEDO_COAT = 2;
+const int ALBEDO_BORDER = ALBEDO_COAT + 2 * ALBEDO_INDICES;
+const int ALBEDO_SHEEN = ALBEDO_BORDER + 4 * ALBEDO_INDICES;
+const int ALBEDO_SHEETS = ALBEDO_SHEEN + 1;
+const int ALBEDO_MEANS = ALBEDO_SHEETS * ALBEDO_SHEET;  // ALBEDO_ROUGHNESSES means for each sheet
+const int ALBEDO_VALUES = ALBEDO_MEANS + ALBEDO_SHEETS * ALBEDO_ROUGHNESSES;
+
+struct TablePlace {
+    Int entry;
+    Float part;  // of the way to the next
+};
+
+FN TablePlace place_in_table(Float x, int count) {
+    Float at = clamp01(x) * Float(float(count - 1));
+    TablePlace place;
+    place.entry = to_int(min(at, Float(float(count) - 1.5f)));
+    place.part = at - to_float(place.entry);
+    return place;
+}
+
+FN Float between(Float a, Float b, Float part) { return a + (b - a) * part; }
+
+// Of a sheet, at a root of a cosine and a root of a roughness.
+FN Float albedo_of_sheet(IN(WorldRecord) world, Int sheet, IN(TablePlace) rough, IN(TablePlace) cosine, Mask mask) {
+    Int at = sheet * Int(ALBEDO_SHEET) + rough.entry * Int(ALBEDO_COSINES) + cosine.entry;
+    Float low = between(gather_float(world.albedo, at, mask), gather_float(world.albedo, at + Int(1), mask), cosine.part);
+    at = at + Int(ALBEDO_COSINES);
+    Float high = between(gather_float(world.albedo, at, mask), gather_float(world.albedo, at + Int(1), mask), cosine.part);
+    return between(low, high, rough.part);
+}
+
+FN Float mean_of_sheet(IN(WorldRecord) world, Int sheet, IN(TablePlace) rough, Mask mask) {
+    Int at = Int(ALBEDO_MEANS) + sheet * Int(ALBEDO_ROUGHNESSES) + rough.entry;
+    return between(gather_float(world.albedo, at, mask), gather_float(world.albedo, at + Int(1), mask), rough.part);
+}
+
+// Where a surface stands in a part of the table with several indices: between two sheets.
+struct AlbedoPlace {
+    Int sheet;
+    Float part;
+    TablePlace rough;
+};
+
+FN Int distribution_of(Mask beckmann) { return select(beckmann, Int(1), Int(0)); }
+
+FN TablePlace index_place(Float eta) {
+    Float ratio = abs(eta - Float(1.0f)) / (eta + Float(1.0f));
+    return place_in_table(sqrt(ratio * Float(1.0f / ALBEDO_LARGEST_RATIO)), ALBEDO_INDICES);
+}
+
+FN AlbedoPlace coat_place(Float eta, Float roughness, Mask beckmann) {
+    TablePlace index = index_place(eta);
+    AlbedoPlace place;
+    place.sheet = Int(ALBEDO_COAT) + distribution_of(beckmann) * Int(ALBEDO_INDICES) + index.entry;
+    place.part = index.part;
+    place.rough = place_in_table(sqrt(max(roughness, Float(0.0f))), ALBEDO_ROUGHNESSES);
+    return place;
+}
+
+FN AlbedoPlace border_place(Float eta, Float roughness, Mask beckmann) {
+    TablePlace index = index_place(eta);
+    Int side = select(eta < Float(1.0f), Int(1), Int(0));
+    AlbedoPlace place;
+    place.sheet = Int(ALBEDO_BORDER) + (distribution_of(beckmann) * Int(2) + side) * Int(ALBEDO_INDICES) + index.entry;
+    place.part = index.part;
+    place.rough = place_in_table(sqrt(max(roughness, Float(0.0f))), ALBEDO_ROUGHNESSES);
+    return place;
+}
+
+FN Float albedo_at(IN(WorldRecord) world, IN(AlbedoPlace) place, Float cosine, Mask mask) {
+    TablePlace at = place_in_table(sqrt(max(cosine, Float(0.0f))), ALBEDO_COSINES);
+    Float low = albedo_of_sheet(world, place.sheet, place.rough, at, mask);
+    Float high = albedo_of_sheet(world, place.sheet + Int(1), place.rough, at, mask);
+    return between(low, high, place.part);
+}
+
+FN Float mean_albedo(IN(WorldRecord) world, IN(AlbedoPlace) place, Mask mask) {
+    Float low = mean_of_sheet(world, place.sheet, place.rough, mask);
+    Float high = mean_of_sheet(world, place.sheet + Int(1), place.rough, mask);
+    return between(low, high, place.part);
+}
+
+FN Float mean_square_roughness(IN(Facets) f) { return Float(0.5f) * (f.x * f.x + f.y * f.y); }
+
+// Facets that are stretched hide one another as round ones would whose roughness is that along the direction; from above, their root mean square.
+FN Float roughness_along(IN(Facets) f, Vec3 w) {
+    Float across_2 = w.x * w.x + w.y * w.y;
+    Float mean_2 = mean_square_roughness(f);
+    Float along_2 = (f.x * f.x * w.x * w.x + f.y * f.y * w.y * w.y + mean_2 * w.z * w.z) / max(across_2 + w.z * w.z, Float(SMALLEST));
+    return sqrt(along_2);
+}
+
+NAMESPACE_END
+
+#endif
