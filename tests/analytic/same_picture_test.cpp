@@ -316,6 +316,7 @@ void expect_mesh_is_met_as_its_triangles(double from_origin, int allowed) {
     const auto large = world.compile();
     World loose;
     loose.materials = large->materials;
+    loose.media = large->media;
     loose.planes = large->planes;
     loose.lights = large->lights;
     loose.meshes = large->meshes;

@@ -1,0 +1,331 @@
+// The path integrator against closed forms, against itself with and without asking emitters, and spectra against RGB.
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "analytic/small_world.h"
+#include "lancer/device/cpu/cpu.h"
+#include "lancer/world/compile.h"
+
+namespace lancer::tests {
+namespace {
+
+using std::numbers::pi;
+
+struct Estimate {
+    glm::dvec3 mean{0.0};
+    glm::dvec3 error{0.0};  // standard error of the mean, as if samples were independent
+};
+
+// Samples of all pixels of a small picture, taken together.
+Estimate estimate(const std::shared_ptr<const World>& world, int size, int spp, const CpuOptions& options = {}) {
+    const auto device = make_cpu_device(world, options);
+    const PathRange range{0, 0, size, size, 0, spp};
+    std::vector<glm::vec3> radiance(range.paths());
+    RayCounts counts;
+    device->follow_paths(range, radiance, counts);
+    glm::dvec3 sum(0.0), squares(0.0);
+    for (const glm::vec3& c : radiance) {
+        const glm::dvec3 value(static_cast<double>(c.x), static_cast<double>(c.y), static_cast<double>(c.z));
+        sum += value;
+        squares += value * value;
+    }
+    const double n = static_cast<double>(radiance.size());
+    Estimate result;
+    result.mean = sum / n;
+    result.error = glm::sqrt(glm::max(squares / n - result.mean * result.mean, glm::dvec3(0.0)) / n);
+    return result;
+}
+
+scene::Material diffuse(double albedo, double emission = 0.0, bool both_sides = false) {
+    scene::Material material;
+    material.model = scene::DiffuseMaterial{scene::Rgb(albedo), 0.0};
+    if (emission > 0.0) {
+        material.emission = scene::Emission{scene::Rgb(1.0), emission, both_sides};
+    }
+    return material;
+}
+
+class Physical : public SmallWorld {
+public:
+    explicit Physical(int bounces = 1) {
+        scene.settings.integrator = "path";
+        scene.settings.bounces = bounces;
+        scene.settings.rgb = true;
+        scene.settings.filter = scene::PixelFilter::box;
+        scene.cameras[0].fov = 0.001;
+        scene.settings.width = scene.settings.height = 4;
+    }
+    int material(const scene::Material& m) {
+        scene.materials.push_back(m);
+        return static_cast<int>(scene.materials.size()) - 1;
+    }
+    Estimate estimate(int spp, const CpuOptions& options = {}) const {
+        return tests::estimate(compile(), scene.settings.width, spp, options);
+    }
+};
+
+scene::Mesh rectangle(const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v) {
+    auto data = std::make_shared<scene::TriangleMesh>();
+    data->positions = {corner, corner + u, corner + u + v, corner + v};
+    data->triangles = {{0, 1, 2}, {0, 2, 3}};
+    return {data, false};
+}
+
+// ---- Closed forms ----------------------------------------------------------------------------------------------------------------
+
+TEST(Path, FurnaceIsAsBrightAsItsSeries) {
+    for (const bool rgb : {true, false}) {
+        for (const double albedo : {0.5, 0.8}) {
+            Physical world(1000);
+            world.scene.settings.rgb = rgb;
+            world.add(scene::Sphere{{0.0, 0.0, 5.0}, 2.0}, world.material(diffuse(albedo, 1.0, true)));
+            const Estimate e = world.estimate(4096);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(e.mean[c], 1.0 / (1.0 - albedo), 0.001 / (1.0 - albedo) + 4.0 * e.error[c]) << albedo << " channel " << c;
+            }
+            EXPECT_LT(e.error.y, 0.02);
+        }
+    }
+}
+
+// What an emitter makes of a white point at the origin that faces +y, seen from the side: irradiance over pi.
+Estimate lit_point(const scene::Shape& lamp, bool both_sides, int spp, bool ask = true, const glm::dmat4& to_world = glm::dmat4(1.0),
+                   const CpuOptions& options = {}) {
+    Physical world(1);
+    world.add(scene::Disk{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.01}, world.material(diffuse(1.0)));
+    world.add(lamp, world.material(diffuse(0.0, 1.0, both_sides)), to_world);
+    world.look({0.0, 0.5, 5.0}, {0.0, -0.1, -1.0});
+    auto compiled = std::const_pointer_cast<World>(world.compile());
+    if (!ask) {
+        compiled->emitters.clear();
+        for (kernel::ObjectRecord& object : compiled->objects) {
+            object.emitter = -1;
+        }
+    }
+    return estimate(compiled, world.scene.settings.width, spp, options);
+}
+
+TEST(Path, IrradianceUnderASphereADiskAndASquare) {
+    const double tolerance = 0.001;
+    const Estimate sphere = lit_point(scene::Sphere{{0.0, 4.0, 0.0}, 1.0}, false, 4096);
+    EXPECT_NEAR(sphere.mean.x * pi, pi / 16.0, tolerance * pi / 16.0 + 4.0 * pi * sphere.error.x);
+    const Estimate disk = lit_point(scene::Disk{{0.0, 2.0, 0.0}, {0.0, -1.0, 0.0}, 1.0}, false, 4096);
+    EXPECT_NEAR(disk.mean.x * pi, pi / 5.0, tolerance * pi / 5.0 + 4.0 * pi * disk.error.x);
+    const Estimate square = lit_point(rectangle({-0.5f, 1.0f, -0.5f}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}), true, 4096);
+    EXPECT_NEAR(square.mean.x * pi, 0.7522747, tolerance * 0.7522747 + 4.0 * pi * square.error.x);
+    EXPECT_LT(square.error.x / square.mean.x, 0.002);
+}
+
+TEST(Path, FormFactorsOfAUnitCube) {
+    // Light from the face at y = 1, or from that at x = 0, onto the face at y = 0, all over which an orthographic camera looks.
+    const scene::Mesh floor = rectangle({0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, {1.0f, 0.0f, 0.0f});
+    struct Face {
+        scene::Mesh lamp;
+        double factor;
+    };
+    const Face faces[] = {{rectangle({0.0f, 1.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}), 0.1998249},
+                          {rectangle({0.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}), 0.2000438}};
+    for (const Face& face : faces) {
+        Physical world(1);
+        world.add(floor, world.material(diffuse(1.0)));
+        world.add(face.lamp, world.material(diffuse(0.0, 1.0, true)));
+        world.look({0.5, 0.5, 0.5}, {0.0, -1.0, 0.0}, {0.0, 0.0, -1.0});
+        world.scene.cameras[0].projection = scene::Projection::orthographic;
+        world.scene.cameras[0].extent = 1.0;
+        world.scene.settings.width = world.scene.settings.height = 32;
+        const Estimate e = world.estimate(256);
+        EXPECT_NEAR(e.mean.x, face.factor, 0.001 * face.factor + 4.0 * e.error.x);
+        EXPECT_LT(e.error.x, 0.002);
+    }
+}
+
+TEST(Path, LightsWithoutSize) {
+    // 2 W/sr at 2 m, 60 degrees from the normal: 0.25 W/m^2; the sun at the same slant: half of it.
+    const glm::dvec3 up(0.0, 0.5, -std::sqrt(0.75));
+    for (const bool sun : {false, true}) {
+        Physical world(1);
+        world.add(scene::Disk{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.01}, world.material(diffuse(1.0)));
+        if (sun) {
+            world.scene.lights.push_back({"", scene::DirectionalLight{-up}, scene::Rgb(1.0), 0.0, {}, scene::Rgb(2.0)});
+        } else {
+            world.scene.lights.push_back({"", scene::PointLight{2.0 * up}, scene::Rgb(1.0), 0.0, {}, scene::Rgb(2.0)});
+        }
+        world.look({0.0, 0.5, 5.0}, {0.0, -0.1, -1.0});
+        EXPECT_NEAR(world.estimate(16).mean.x, (sun ? 1.0 : 0.25) / pi, 1e-4);
+    }
+}
+
+TEST(Path, ASlabOfGlassLetsThroughWhatFresnelSays) {
+    Physical world(64);
+    scene::Material glass;
+    glass.model = scene::DielectricMaterial{.refraction = 1.5168};
+    world.add(scene::Box{{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.2}}, world.material(glass));
+    world.add(scene::Disk{{0.0, 0.0, -2.0}, {0.0, 0.0, 1.0}, 1.0}, world.material(diffuse(0.0, 1.0)));
+    world.look({0.0, 0.0, 5.0}, {0.0, 0.0, -1.0});
+    const Estimate e = world.estimate(65536);
+    EXPECT_NEAR(e.mean.x, 0.9190827, 0.0005 + 4.0 * e.error.x);
+    EXPECT_LT(e.error.x, 0.0005);
+}
+
+TEST(Path, AbsorptionFollowsBeer) {
+    Physical world(8);
+    scene::Material body;
+    body.model = scene::DielectricMaterial{.refraction = 1.0, .absorption = {0.5, 2.0, 8.0}};
+    world.add(scene::Box{{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.25}}, world.material(body));
+    world.add(scene::Disk{{0.0, 0.0, -2.0}, {0.0, 0.0, 1.0}, 1.0}, world.material(diffuse(0.0, 1.0)));
+    world.look({0.0, 0.0, 5.0}, {0.0, 0.0, -1.0});
+    const Estimate e = world.estimate(16);
+    EXPECT_NEAR(e.mean.x, std::exp(-0.125), 1e-4);
+    EXPECT_NEAR(e.mean.y, std::exp(-0.5), 1e-4);
+    EXPECT_NEAR(e.mean.z, std::exp(-2.0), 1e-4);
+}
+
+// ---- Two ways to the same light ----------------------------------------------------------------------------------------------------
+
+struct Lamp {
+    const char* name;
+    scene::Shape shape;
+    bool both_sides = false;
+    glm::dmat4 to_world{1.0};
+};
+
+class LampShapes : public testing::TestWithParam<Lamp> {};
+
+// A lamp gives the same light whether it is asked for it or met by chance.
+TEST_P(LampShapes, AskedOrMet) {
+    const Lamp& lamp = GetParam();
+    const Estimate asked = lit_point(lamp.shape, lamp.both_sides, 8192, true, lamp.to_world);
+    const Estimate met = lit_point(lamp.shape, lamp.both_sides, 65536, false, lamp.to_world);
+    EXPECT_GT(asked.mean.x, 0.001);
+    EXPECT_NEAR(asked.mean.x, met.mean.x, 4.5 * std::hypot(asked.error.x, met.error.x));
+    EXPECT_LT(asked.error.x / asked.mean.x, 0.02);
+    const Estimate tree = lit_point(lamp.shape, lamp.both_sides, 8192, true, lamp.to_world, {.tracer = Tracer::tree});
+    EXPECT_EQ(asked.mean.x, tree.mean.x);
+}
+
+const glm::dmat4 turned =
+    glm::rotate(glm::dmat4(1.0), 0.7, glm::dvec3(1.0, 2.0, 0.5)) * glm::scale(glm::dmat4(1.0), glm::dvec3(0.7, 1.4, 0.9));
+const glm::dmat4 above = glm::translate(glm::dmat4(1.0), glm::dvec3(0.4, 2.0, -0.3)) * turned;
+
+INSTANTIATE_TEST_SUITE_P(All, LampShapes,
+                         testing::Values(Lamp{"sphere", scene::Sphere{{0.5, 2.0, 0.3}, 0.7}},
+                                         Lamp{"around", scene::Sphere{{0.0, 0.0, 0.0}, 8.0}, true},
+                                         Lamp{"ellipsoid", scene::Sphere{}, false, above},
+                                         Lamp{"box", scene::Box{{-0.5, 1.5, -0.4}, {0.6, 2.0, 0.5}}},
+                                         Lamp{"turned_box", scene::Box{}, false, above},
+                                         Lamp{"disk", scene::Disk{{0.0, 0.0, 0.0}, {0.3, -1.0, 0.1}, 0.8}, false, above},
+                                         Lamp{"cylinder", scene::Cylinder{{-0.5, 1.5, 0.0}, {0.7, 2.0, 0.2}, 0.3}},
+                                         Lamp{"tube", scene::Cylinder{{-0.5, 1.5, 0.0}, {0.7, 2.0, 0.2}, 0.3, false}, true},
+                                         Lamp{"cone", scene::Cone{{0.0, 0.0, 0.0}, {0.2, 1.0, 0.0}, 0.6, 0.1}, false, above},
+                                         Lamp{"triangles", rectangle({-0.5f, 1.2f, -0.3f}, {1.0f, 0.3f, 0.0f}, {0.0f, 0.2f, 1.0f}), true}),
+                         [](const auto& case_) { return std::string(case_.param.name); });
+
+TEST(Path, ManyLampsOfATreeAndFew) {
+    // More lamps than are looked at one by one: the same light either way.
+    const auto lit = [](int lamps) {
+        Physical world(1);
+        world.add(scene::Disk{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.01}, world.material(diffuse(1.0)));
+        const int shining = world.material(diffuse(0.0, 1.0));
+        for (int i = 0; i < lamps; ++i) {
+            const double angle = 2.0 * pi * i / lamps;
+            world.add(scene::Sphere{{2.0 * std::cos(angle), 1.0 + 0.01 * i, 2.0 * std::sin(angle)}, 0.05}, shining);
+        }
+        world.look({0.0, 0.5, 5.0}, {0.0, -0.1, -1.0});
+        return world.estimate(16384);
+    };
+    const auto sum = [](int lamps) {
+        double total = 0.0;
+        for (int i = 0; i < lamps; ++i) {
+            const double height = 1.0 + 0.01 * i, distance_2 = 4.0 + height * height;
+            total += 0.05 * 0.05 / distance_2 * height / std::sqrt(distance_2);  // pi r^2 / d^2 cos, over pi
+        }
+        return total;
+    };
+    for (const int lamps : {2, 30, 40}) {
+        const Estimate e = lit(lamps);
+        EXPECT_NEAR(e.mean.x, sum(lamps), 0.001 * sum(lamps) + 4.0 * e.error.x) << lamps;
+    }
+}
+
+// ---- Spectra -----------------------------------------------------------------------------------------------------------------------
+
+TEST(Path, GreyIsTheSameInSpectraAndRgb) {
+    for (const bool rgb : {true, false}) {
+        Physical world(2);
+        world.scene.settings.rgb = rgb;
+        world.add(scene::Plane{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, world.material(diffuse(0.5)));
+        world.set_background(1.0, 1.0, 1.0);
+        world.look({0.0, 0.5, 5.0}, {0.0, -0.1, -1.0});
+        const Estimate e = world.estimate(4096);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(e.mean[c], 0.5, 0.0005 + 4.0 * e.error[c]) << rgb << " channel " << c;
+        }
+    }
+}
+
+TEST(Path, ColorsComeBackFromTheirSpectra) {
+    Physical world(1);
+    world.scene.settings.rgb = false;
+    scene::Material red;
+    red.model = scene::DiffuseMaterial{scene::Rgb(0.63, 0.065, 0.05), 0.0};
+    world.add(scene::Plane{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, world.material(red));
+    world.set_background(1.0, 1.0, 1.0);
+    world.look({0.0, 0.5, 5.0}, {0.0, -0.1, -1.0});
+    const Estimate e = world.estimate(16384);
+    EXPECT_NEAR(e.mean.x, 0.63, 0.002 + 4.0 * e.error.x);
+    EXPECT_NEAR(e.mean.y, 0.065, 0.002 + 4.0 * e.error.y);
+    EXPECT_NEAR(e.mean.z, 0.05, 0.002 + 4.0 * e.error.z);
+}
+
+// ---- The same bits -----------------------------------------------------------------------------------------------------------------
+
+TEST(Path, SameBitsForAnyLanesAndRanges) {
+    Physical world(6);
+    world.scene.settings.rgb = false;
+    world.scene.cameras[0].fov = 50.0;
+    world.scene.cameras[0].aperture = 0.1;
+    scene::Material glass;
+    glass.model = scene::DielectricMaterial{.refraction = scene::NamedGlass{"SF11"}, .roughness = 0.2};
+    scene::Material gold;
+    gold.model = scene::ConductorMaterial{.metal = "gold", .roughness = 0.4};
+    world.add(scene::Sphere{{-0.8, 0.0, 0.0}, 0.8}, world.material(glass));
+    world.add(scene::Sphere{{0.9, 0.0, 0.0}, 0.8}, world.material(gold));
+    world.add(scene::Plane{{0.0, -0.8, 0.0}, {0.0, 1.0, 0.0}}, world.material(diffuse(0.7)));
+    world.add(scene::Sphere{{0.0, 3.0, 1.0}, 0.5}, world.material(diffuse(0.0, 10.0)));
+    world.set_background(0.3, 0.2, 0.1);
+    world.scene.settings.width = world.scene.settings.height = 24;
+    const auto compiled = world.compile();
+    const PathRange whole{0, 0, 24, 24, 0, 6};
+    std::vector<glm::vec3> first;
+    for (const int lanes : {4, 8, 16}) {
+        if (lanes > make_cpu_device(compiled)->lanes()) {
+            continue;
+        }
+        const auto device = make_cpu_device(compiled, {.lanes = lanes});
+        RayCounts counts;
+        std::vector<glm::vec3> radiance(whole.paths());
+        device->follow_paths(whole, radiance, counts);
+        if (first.empty()) {
+            first = radiance;
+        }
+        int differ = 0;
+        for (std::size_t i = 0; i < radiance.size(); ++i) {
+            differ += radiance[i] == first[i] ? 0 : 1;
+        }
+        EXPECT_EQ(differ, 0) << lanes;
+        // One sample of one pixel by itself.
+        const PathRange one{7, 11, 8, 12, 3, 1};
+        std::vector<glm::vec3> alone(1);
+        device->follow_paths(one, alone, counts);
+        EXPECT_EQ(alone[0], first[static_cast<std::size_t>((11 * 24 + 7) * 6 + 3)]);
+    }
+}
+
+}  // namespace
+}  // namespace lancer::tests
