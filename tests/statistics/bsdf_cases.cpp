@@ -1,6 +1,7 @@
 #include "statistics/bsdf_cases.h"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -58,6 +59,65 @@ BsdfCase dielectric(const std::string& name, const Spectrum& color, float eta, f
     return d;
 }
 
+Closure plastic(const Spectrum& color, float alpha, float eta) {
+    Closure c = rough(closure_of(BSDF_PLASTIC, color), alpha, alpha);
+    c.index = vec4_all(eta);
+    c.extinction = white;
+    return c;
+}
+
+struct Layers {
+    float metalness = 0.0f;
+    float transmission = 0.0f;
+    bool thin = false;
+    float coat = 0.0f;
+    float coat_roughness = 0.0f;
+    float sheen = 0.0f;
+    float sheen_roughness = 0.0f;
+    float film = 0.0f;
+};
+
+std::vector<Layers> layers_to_try() {
+    return {{},
+            {.metalness = 1.0f},
+            {.metalness = 1.0f, .film = 0.7f},
+            {.transmission = 1.0f},
+            {.transmission = 1.0f, .thin = true},
+            {.metalness = 0.3f, .transmission = 0.4f},
+            {.coat = 1.0f, .coat_roughness = 0.0f},
+            {.metalness = 0.5f, .coat = 0.7f, .coat_roughness = 0.3f},
+            {.sheen = 0.8f, .sheen_roughness = 0.1f},
+            {.sheen = 1.0f, .sheen_roughness = 0.6f},
+            {.metalness = 0.2f, .transmission = 0.5f, .coat = 0.5f, .coat_roughness = 0.1f, .sheen = 0.5f, .sheen_roughness = 0.3f},
+            {.metalness = 0.2f, .transmission = 0.5f, .thin = true, .coat = 0.5f, .coat_roughness = 0.1f}};
+}
+
+BsdfCase principled(const Spectrum& color, float alpha, const Layers& layers) {
+    BsdfCase p;
+    p.name =
+        fmt::format("principled {}: metal {}, clear {}{}, coat {} {}, sheen {} {}, film {}", alpha, layers.metalness, layers.transmission,
+                    layers.thin ? " sheet" : "", layers.coat, layers.coat_roughness, layers.sheen, layers.sheen_roughness, layers.film);
+    Closure c = rough(closure_of(BSDF_PRINCIPLED, color), alpha, alpha);
+    c.index = vec4_all(1.5f);
+    c.extinction = white;
+    c.metalness = layers.metalness;
+    c.transmission = layers.transmission;
+    c.thin = layers.thin;
+    c.coat = layers.coat;
+    c.coat_roughness = layers.coat_roughness;
+    c.sheen = vec4_of(layers.sheen, 0.5f * layers.sheen, 0.2f * layers.sheen, layers.sheen);
+    c.sheen_roughness = layers.sheen_roughness;
+    c.film = vec4_all(layers.film);
+    c.film_index = 1.4f;
+    p.closure = c;
+    p.other_side = c;
+    p.transmits = layers.transmission > 0.0f;
+    if (p.transmits && !layers.thin) {
+        p.other_side.index = vec4_all(1.0f / 1.5f);
+    }
+    return p;
+}
+
 BsdfCase opaque(const std::string& name, const Closure& closure) {
     BsdfCase c;
     c.name = name;
@@ -95,6 +155,23 @@ std::vector<BsdfCase> bsdf_cases() {
     thin.other_side = thin.closure;
     thin.transmits = true;
     cases.push_back(thin);
+    for (const float alpha : {0.0f, 0.1f, 0.5f}) {
+        cases.push_back(opaque(fmt::format("plastic {}", alpha), plastic(tinted, alpha, 1.5f)));
+        cases.push_back(opaque(fmt::format("plastic of Beckmann's {}, saturated", alpha), beckmann(plastic(tinted, alpha, 1.3f))));
+        cases.back().closure.saturates = true;
+    }
+    for (const float alpha : {0.0f, 0.15f, 0.6f}) {
+        for (const Layers& layers : layers_to_try()) {
+            const Spectrum color = vec4_of(0.8f, 0.4f, 0.2f, 0.6f);
+            cases.push_back(principled(color, alpha, layers));
+            if (layers.transmission > 0.0f && !layers.thin) {
+                BsdfCase within = cases.back();
+                within.name += ", from within";
+                std::swap(within.closure, within.other_side);
+                cases.push_back(within);
+            }
+        }
+    }
     return cases;
 }
 
@@ -127,6 +204,19 @@ std::vector<BsdfCase> white_cases() {
     thin.closure.index = vec4_all(1.5f);
     thin.transmits = true;
     cases.push_back(thin);
+    for (const float alpha : {0.0f, 0.04f, 0.2f, 0.5f, 1.0f}) {
+        for (const float eta : {1.3f, 1.5f, 2.0f}) {
+            cases.push_back(opaque(fmt::format("plastic {} index {}", alpha, eta), plastic(white, alpha, eta)));
+            cases.push_back(
+                opaque(fmt::format("plastic of Beckmann's {} index {}, saturated", alpha, eta), beckmann(plastic(white, alpha, eta))));
+            cases.back().closure.saturates = true;
+        }
+        for (const Layers& layers : layers_to_try()) {
+            if (layers.coat == 0.0f && layers.sheen == 0.0f && layers.film == 0.0f) {
+                cases.push_back(principled(white, alpha, layers));
+            }
+        }
+    }
     for (BsdfCase& c : cases) {
         c.white = true;
     }

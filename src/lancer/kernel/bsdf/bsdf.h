@@ -5,6 +5,8 @@
 #include "lancer/kernel/bsdf/conductor.h"
 #include "lancer/kernel/bsdf/dielectric.h"
 #include "lancer/kernel/bsdf/diffuse.h"
+#include "lancer/kernel/bsdf/plastic.h"
+#include "lancer/kernel/bsdf/principled.h"
 
 NAMESPACE_BEGIN
 
@@ -12,7 +14,10 @@ NAMESPACE_BEGIN
 FN Mask is_smooth(IN(Closure) c) {
     Mask mirror = without(is_equal(c.kind, Int(BSDF_CONDUCTOR)), is_rough(c));
     Mask glass = without(is_equal(c.kind, Int(BSDF_DIELECTRIC)), is_rough_border(c));
-    return either(either(mirror, glass), is_equal(c.kind, Int(BSDF_THIN_DIELECTRIC)));
+    Mask only = both(c.metalness + (Float(1.0f) - c.metalness) * c.transmission >= Float(1.0f), is_black(c.sheen));
+    Mask coat = both(c.coat > Float(0.0f), c.coat_roughness >= Float(SMOOTH));
+    Mask principled = without(without(both(is_equal(c.kind, Int(BSDF_PRINCIPLED)), only), coat), is_rough(c));
+    return either(either(either(mirror, glass), principled), is_equal(c.kind, Int(BSDF_THIN_DIELECTRIC)));
 }
 
 // Whether what goes through is bent by the border of two media: the path has to know which.
@@ -36,6 +41,10 @@ FN BsdfValue bsdf_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 wi, 
             value = select_value(mine, conductor_value(world, c, wo, wi, mine), value);
         } else if (kind == BSDF_DIELECTRIC) {
             value = select_value(mine, dielectric_value(world, c, wo, wi, mine), value);
+        } else if (kind == BSDF_PLASTIC) {
+            value = select_value(mine, plastic_value(world, c, wo, wi, mine), value);
+        } else if (kind == BSDF_PRINCIPLED) {
+            value = select_value(mine, principled_value(world, c, wo, wi, mine), value);
         }
         todo = without(todo, mine);
     }
@@ -59,6 +68,10 @@ FN BsdfSample bsdf_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Float c
             drawn = select_sample(mine, dielectric_sample(world, c, wo, choice, u, mine), drawn);
         } else if (kind == BSDF_THIN_DIELECTRIC) {
             drawn = select_sample(mine, thin_dielectric_sample(c, wo, choice), drawn);
+        } else if (kind == BSDF_PLASTIC) {
+            drawn = select_sample(mine, plastic_sample(world, c, wo, choice, u, mine), drawn);
+        } else if (kind == BSDF_PRINCIPLED) {
+            drawn = select_sample(mine, principled_sample(world, c, wo, choice, u, mine), drawn);
         }
         todo = without(todo, mine);
     }

@@ -1,0 +1,115 @@
+// Plastic: a diffuse body under a clear border, smooth or of facets. What the border does not reflect, and light that several facets have met,
+// goes into the body and comes out again: nothing is lost, and both ways are the same [Kulla and Conty 2017].
+#ifndef LANCER_KERNEL_BSDF_PLASTIC_H
+#define LANCER_KERNEL_BSDF_PLASTIC_H
+
+#include "lancer/kernel/bsdf/albedo.h"
+#include "lancer/kernel/bsdf/fresnel.h"
+#include "lancer/kernel/warp.h"
+
+NAMESPACE_BEGIN
+
+// A clear border of facets, or a smooth one, seen from outside.
+struct Coat {
+    Facets facets;
+    Mask rough;
+    Float eta;  // at least 1
+    AlbedoPlace place;
+};
+
+FN Coat coat_of(Float eta, Float roughness_x, Float roughness_y, Mask beckmann) {
+    Coat coat;
+    coat.facets.x = max(roughness_x, Float(SMOOTH));
+    coat.facets.y = max(roughness_y, Float(SMOOTH));
+    coat.facets.beckmann = beckmann;
+    coat.rough = max(roughness_x, roughness_y) >= Float(SMOOTH);
+    coat.eta = max(eta, Float(1.0f) / eta);
+    Float roughness = select(coat.rough, sqrt(mean_square_roughness(coat.facets)), Float(0.0f));
+    coat.place = coat_place(coat.eta, roughness, beckmann);
+    return coat;
+}
+
+// What it reflects of light from a direction.
+FN Float coat_albedo(IN(WorldRecord) world, IN(Coat) coat, Float cosine, Mask mask) {
+    Float cos_t = Float(0.0f);
+    Float share = fresnel(max(cosine, Float(0.0f)), coat.eta, cos_t);
+    Mask rough = both(mask, coat.rough);
+    if (some(rough)) {
+        share = select(rough, albedo_at(world, coat.place, cosine, rough), share);
+    }
+    return share;
+}
+
+// f cos of its facets, and the density of drawing from them; 0 where it is smooth.
+FN Vec2 coat_value(IN(Coat) coat, Vec3 wo, Vec3 wi) {
+    Vec3 m = normalize(wo + wi);
+    Float cosine = dot(wo, m);
+    Float cos_t = Float(0.0f);
+    Float facets = facets_density(coat.facets, m) * Float(0.25f) / max(wo.z, Float(SMALLEST));
+    Float value = fresnel(max(cosine, Float(0.0f)), coat.eta, cos_t) * facets * facets_seen_both(coat.facets, wo, wi);
+    Mask good = both(both(coat.rough, cosine > Float(0.0f)), both(wo.z > Float(0.0f), wi.z > Float(0.0f)));
+    return vec2_of(select(good, value, Float(0.0f)), select(good, facets * facets_seen(coat.facets, wo), Float(0.0f)));
+}
+
+// Of light that meets the surface, the chance to draw from the border's reflection.
+FN Float plastic_chance(IN(Closure) c, Float reflected) {
+    Float border = reflected * max(largest(c.extinction), Float(1.0e-3f));
+    Float body = (Float(1.0f) - reflected) * max(largest(c.color), Float(1.0e-3f));
+    return border / max(border + body, Float(SMALLEST));
+}
+
+FN BsdfValue plastic_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 wi, Mask mask) {
+    BsdfValue v = no_value();
+    Mask good = both(mask, both(wo.z > Float(0.0f), wi.z > Float(0.0f)));
+    if (some(good)) {
+        Coat coat = coat_of(c.index.x, c.roughness_x, c.roughness_y, c.beckmann);
+        Float reflected_out = coat_albedo(world, coat, wo.z, good);
+        Float reflected_in = coat_albedo(world, coat, wi.z, good);
+        Float passes = Float(1.0f) - mean_albedo(world, coat.place, good);
+        Spectrum body = c.color / passes;
+        if (some(c.saturates)) {
+            // Of light within, all but `leaves` is sent back by the border each time that it comes there.
+            Float leaves = passes / (coat.eta * coat.eta);
+            Spectrum several = c.color / (coat.eta * coat.eta) / (vec4_all(Float(1.0f)) - c.color * (Float(1.0f) - leaves));
+            body = select(c.saturates, several, body);
+        }
+        Float diffuse = wi.z * Float(1.0f / PI);
+        Spectrum value = body * ((Float(1.0f) - reflected_out) * (Float(1.0f) - reflected_in) * diffuse);
+        Float chance = plastic_chance(c, reflected_out);
+        Float density = (Float(1.0f) - chance) * diffuse;
+        if (some(coat.rough)) {
+            Vec2 facets = coat_value(coat, wo, wi);
+            value = value + c.extinction * facets.x;
+            density = density + chance * facets.y;
+        }
+        v.value = select(good, value, v.value);
+        v.density = select(good, density, v.density);
+    }
+    return v;
+}
+
+FN BsdfSample plastic_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Float choice, Vec2 u, Mask mask) {
+    BsdfSample s = no_sample();
+    Mask good = both(mask, wo.z > Float(0.0f));
+    Coat coat = coat_of(c.index.x, c.roughness_x, c.roughness_y, c.beckmann);
+    Float reflected = coat_albedo(world, coat, wo.z, good);
+    Float chance = plastic_chance(c, reflected);
+    Mask border = choice < chance;
+    s.wi = cosine_hemisphere(u);
+    Mask rough = both(good, both(border, coat.rough));
+    if (some(rough)) {
+        Vec3 m = facets_visible_normal(coat.facets, wo, u);
+        s.wi = select(rough, m * (Float(2.0f) * dot(wo, m)) - wo, s.wi);
+    }
+    s.discrete = without(both(good, border), coat.rough);
+    s.wi = select(s.discrete, vec3_of(-wo.x, -wo.y, wo.z), s.wi);
+    BsdfValue v = plastic_value(world, c, wo, s.wi, good);
+    s.weight = select(s.discrete, c.extinction * (reflected / max(chance, Float(SMALLEST))), v.value / max(v.density, Float(SMALLEST)));
+    s.density = select(s.discrete, Float(0.0f), v.density);
+    s.valid = either(s.discrete, both(both(good, s.wi.z > Float(0.0f)), v.density > Float(0.0f)));
+    return s;
+}
+
+NAMESPACE_END
+
+#endif
