@@ -113,22 +113,22 @@ void Cells::count(double x, double y) {
 
 double Cells::total() const { return std::accumulate(counts_.begin(), counts_.end(), 0.0); }
 
-std::vector<double> Cells::expect(const std::function<Pair(double, double)>& density, double tolerance, Pair& sum) const {
+std::vector<double> Cells::expect(const std::function<Pair(double, double)>& density, double tolerance, Pair& sum, int least_depth) const {
     std::vector<double> expected(counts_.size());
     sum = Pair{};
     const double all = total();
     for (int row = 0; row < rows_; ++row) {
         for (int column = 0; column < columns_; ++column) {
             const std::size_t i = std::size_t(row) * std::size_t(columns_) + std::size_t(column);
-            const auto inside = [&](int least_depth) {
+            const auto inside = [&](int depth) {
                 return integrate(density, double(column) / columns_, double(column + 1) / columns_, double(row) / rows_,
-                                 double(row + 1) / rows_, tolerance, least_depth, least_depth == 0 ? 7 : 10);
+                                 double(row + 1) / rows_, tolerance, depth, depth <= least_depth ? 7 : 10);
             };
             // Where draws have fallen otherwise than expected there may be a peak between the nodes of a coarse rule.
-            Pair p = inside(0);
-            for (const int least_depth : {2, 4, 6}) {
+            Pair p = inside(least_depth);
+            for (const int deeper : {2, 4, 6}) {
                 if (std::abs(counts_[i] - p.density * all) > 3.0 * std::sqrt(p.density * all) + 1.0) {
-                    p = inside(least_depth);
+                    p = inside(least_depth + deeper);
                 }
             }
             expected[i] = p.density * all;

@@ -44,8 +44,9 @@ public:
     void count_elsewhere() { counts_.back() += 1.0; }  // draws that led nowhere, or to a direction that has no density
     double total() const;
 
+    // `least_depth`: how often each cell is cut in four at least; more for densities with jumps.
     // The integral of the density over each cell times the number of draws; what is missing to 1 is expected elsewhere. `sum`: both integrals.
-    std::vector<double> expect(const std::function<Pair(double, double)>& density, double tolerance, Pair& sum) const;
+    std::vector<double> expect(const std::function<Pair(double, double)>& density, double tolerance, Pair& sum, int least_depth = 0) const;
     const std::vector<double>& counts() const { return counts_; }
 
 private:
