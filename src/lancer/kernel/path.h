@@ -30,15 +30,17 @@ struct PathState {
 FN PathState start_path(IN(WorldRecord) world, Float pixel_x, Float pixel_y, UInt key, UInt sample_number, Mask alive) {
     PathState path;
     path.numbers = start_sampler(key, sample_number);
-    Vec2 place = filter_place(world.filter_record, sample_pair(path.numbers, UInt(uint(DECISION_FILM))));
+    Vec2 film = sample_pair(path.numbers, UInt(uint(DECISION_FILM)));
+    FilterSample across = sample_filter(world, film.x, alive);
+    FilterSample down = sample_filter(world, film.y, alive);
     Vec2 lens = vec2_of(Float(0.0f), Float(0.0f));
     if (world.camera.lens_radius > 0.0f) {
         lens = on_disk(sample_pair(path.numbers, UInt(uint(DECISION_LENS))));
     }
-    Ray ray = lens_ray(world.camera, pixel_x + Float(0.5f) + place.x, pixel_y + Float(0.5f) + place.y, lens);
+    Ray ray = lens_ray(world.camera, pixel_x + Float(0.5f) + across.place, pixel_y + Float(0.5f) + down.place, lens);
     path.origin = ray.origin;
     path.direction = ray.direction;
-    path.throughput = vec4_all(Float(1.0f));
+    path.throughput = vec4_all(across.weight * down.weight);
     path.radiance = black();
     path.nanometres = vec4_all(Float(D_LINE));
     if (world.spectral != 0) {

@@ -4,27 +4,28 @@
 
 #include "lancer/kernel/camera.h"
 #include "lancer/kernel/sampler.h"
+#include "lancer/kernel/tables.h"
 #include "lancer/kernel/warp.h"
 
 NAMESPACE_BEGIN
 
-// ---- The pixel's filter, drawn from: each sample counts the same [Ernst, Stamminger, Greiner 2006]. ------------------------------------
+// ---- The pixel's filter, drawn from: each sample counts the same but for its sign [Ernst et al. 2006]. -------------------
 
-// One coordinate of a point drawn from a filter's absolute value around the pixel's middle, in pixels; `sign` is -1 where the filter is negative.
-FN Float tent_place(Float u, Float radius) {
-    Mask lower = u < Float(0.5f);
-    Float rest = select(lower, u, Float(1.0f) - u);
-    Float place = Float(1.0f) - sqrt(max(rest * Float(2.0f), Float(0.0f)));
-    return select(lower, -place, place) * radius;
-}
+struct FilterSample {
+    Float place;  // pixels from the pixel's middle
+    Float weight;
+};
 
-FN Vec2 filter_place(IN(FilterRecord) filter_, Vec2 u) {
-    Float radius = Float(filter_.radius);
-    Vec2 place = vec2_of((u.x * Float(2.0f) - Float(1.0f)) * radius, (u.y * Float(2.0f) - Float(1.0f)) * radius);
-    if (filter_.kind == FILTER_TENT) {
-        place = vec2_of(tent_place(u.x, radius), tent_place(u.y, radius));
-    }
-    return place;
+FN FilterSample sample_filter(IN(WorldRecord) world, Float u, Mask mask) {
+    Float at = u * Float(float(FILTER_STEPS));
+    Int step = to_int(at);
+    Float low = gather_float(world.filter_places, step, mask);
+    Float high = gather_float(world.filter_places, step + Int(1), mask);
+    FilterSample s;
+    s.place = low + (high - low) * (at - to_float(step));
+    Float weight = Float(world.filter_record.weight);
+    s.weight = select(abs(s.place) > Float(world.filter_record.negative_from), -weight, weight);
+    return s;
 }
 
 // ---- The ray ---------------------------------------------------------------------------------------------------------------------------

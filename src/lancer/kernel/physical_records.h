@@ -96,15 +96,13 @@ struct PathLimits {
     int transmission;
 };
 
-const int FILTER_BOX = 0;
-const int FILTER_TENT = 1;
-const int FILTER_GAUSSIAN = 2;
-const int FILTER_MITCHELL = 3;
-const int FILTER_BLACKMAN_HARRIS = 4;
+// One coordinate of a pixel's filter, to be drawn from: `filter_places` holds FILTER_STEPS + 1 places, in pixels from the pixel's middle, at even
+// steps of the share of the filter's absolute value.
+const int FILTER_STEPS = 1024;
 
 struct FilterRecord {
-    int kind;
-    float radius;  // pixels
+    float negative_from;  // the filter is negative farther from the middle than this; FAR where it is not
+    float weight;         // of a sample: the integral of the absolute value over that of the filter itself
 };
 
 RECORDS_END

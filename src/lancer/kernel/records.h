@@ -227,6 +227,7 @@ struct WorldRecord {
     FloatTable curves;         // WAVELENGTH_COUNT values each
     FloatTable upsampling;     // from RGB to smooth spectra, see upsample.h
     FloatTable albedo;         // what rough surfaces reflect, see bsdf/albedo.h
+    FloatTable filter_places;  // see FilterRecord
     Vec3Table observer;        // linear RGB of one unit at each nanometre
     LightTable lights;
     BandTable bands;

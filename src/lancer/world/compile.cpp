@@ -12,6 +12,7 @@
 #include "lancer/spectrum/upsample.h"
 #include "lancer/world/bounds.h"
 #include "lancer/world/emitters.h"
+#include "lancer/world/filters.h"
 #include "lancer/world/flatten.h"
 #include "lancer/world/materials.h"
 #include "lancer/world/shapes.h"
@@ -65,34 +66,11 @@ kernel::CameraRecord compile_camera(const scene::Camera& camera, int width, int 
     return record;
 }
 
-kernel::FilterRecord compile_filter(const scene::RenderSettings& settings) {
-    struct Preset {
-        int kind;
-        double radius;
-    };
-    const auto [kind, radius] = [&]() -> Preset {
-        switch (settings.filter) {
-            case scene::PixelFilter::box:
-                return {kernel::FILTER_BOX, 0.5};
-            case scene::PixelFilter::tent:
-                return {kernel::FILTER_TENT, 1.0};
-            case scene::PixelFilter::gaussian:
-                return {kernel::FILTER_GAUSSIAN, 1.5};
-            case scene::PixelFilter::mitchell:
-                return {kernel::FILTER_MITCHELL, 2.0};
-            case scene::PixelFilter::blackman_harris:
-                return {kernel::FILTER_BLACKMAN_HARRIS, 1.5};
-        }
-        return {};
-    }();
-    return {kind, static_cast<float>(settings.filter_radius.value_or(radius))};
-}
-
 // What the path integrator needs beyond what all need.
 void compile_physics(const scene::Scene& scene, World& world) {
     world.max_depth = scene::bounces_of(scene);
     world.seed = scene.settings.seed;
-    world.filter = compile_filter(scene.settings);
+    compile_filter(scene.settings, world);
     world.spectral = !scene.settings.rgb;
     if (world.spectral) {
         for (int i = 0; i < kernel::WAVELENGTH_COUNT; ++i) {

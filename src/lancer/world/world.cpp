@@ -37,6 +37,7 @@ kernel::WorldRecord World::record() const {
     r.curves = curves.data();
     r.upsampling = upsampling.data();
     r.albedo = microfacet_albedo_table().data();
+    r.filter_places = filter_places.data();
     r.observer = observer.data();
     r.lights = lights.data();
     r.bands = bands.data();

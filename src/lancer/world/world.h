@@ -39,6 +39,7 @@ public:
     std::vector<float> distributions;
     std::vector<float> curves;
     std::vector<float> upsampling;
+    std::vector<float> filter_places;
     std::vector<kernel::vec3> observer;
     std::vector<kernel::LightRecord> lights;
     std::vector<kernel::BandRecord> bands;
