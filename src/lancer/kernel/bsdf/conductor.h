@@ -11,21 +11,14 @@ NAMESPACE_BEGIN
 
 // What facets that reflect everything lose towards a direction, to be given back by the second lobe; below, its mean over directions.
 FN Float facet_loss(IN(WorldRecord) world, IN(Facets) f, Vec3 w, Mask mask) {
-    TablePlace rough = place_in_table(sqrt(roughness_along(f, w)), ALBEDO_ROUGHNESSES);
-    TablePlace cosine = place_in_table(sqrt(max(w.z, Float(0.0f))), ALBEDO_COSINES);
+    TablePlace rough = place_in_table(sqrt(sqrt(mean_square_roughness(f))), ALBEDO_ROUGHNESSES);
+    TablePlace cosine = place_in_table(sqrt(cosine_of_round_facets(f, w)), ALBEDO_COSINES);
     return albedo_of_sheet(world, Int(ALBEDO_MIRROR) + distribution_of(f.beckmann), rough, cosine, mask);
 }
 
 FN Float mean_facet_loss(IN(WorldRecord) world, IN(Facets) f, Mask mask) {
-    Int sheet = Int(ALBEDO_MIRROR) + distribution_of(f.beckmann);
-    Float middle = mean_of_sheet(world, sheet, place_in_table(sqrt(sqrt(mean_square_roughness(f))), ALBEDO_ROUGHNESSES), mask);
-    Mask stretched = either(f.x < f.y, f.y < f.x);
-    if (some(stretched)) {
-        Float x = mean_of_sheet(world, sheet, place_in_table(sqrt(f.x), ALBEDO_ROUGHNESSES), mask);
-        Float y = mean_of_sheet(world, sheet, place_in_table(sqrt(f.y), ALBEDO_ROUGHNESSES), mask);
-        middle = select(stretched, (x + y + Float(2.0f) * middle) * Float(0.25f), middle);
-    }
-    return middle;
+    TablePlace rough = place_in_table(sqrt(sqrt(mean_square_roughness(f))), ALBEDO_ROUGHNESSES);
+    return mean_of_sheet(world, Int(ALBEDO_MIRROR) + distribution_of(f.beckmann), rough, mask);
 }
 
 // The colour of light that has met several facets, of mean reflectance `once` each.

@@ -72,8 +72,9 @@ FN BsdfValue dielectric_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec
         AlbedoPlace beyond = loss.behind;
         beyond.sheet = select(reflects, loss.front.sheet, beyond.sheet);
         beyond.part = select(reflects, loss.front.part, beyond.part);
-        Float lost_out = albedo_at(world, loss.front, wo.z, rough);
-        Float lost_in = albedo_at(world, beyond, abs(wi.z), rough) / select(reflects, loss.mean_front, loss.mean_behind);
+        Float lost_out = albedo_at(world, loss.front, cosine_of_round_facets(f, wo), rough);
+        Float lost_in =
+            albedo_at(world, beyond, cosine_of_round_facets(f, wi), rough) / select(reflects, loss.mean_front, loss.mean_behind);
         Float side = abs(wi.z) * Float(1.0f / PI) * select(reflects, Float(1.0f) - loss.through, loss.through);
         Float several = lost_out * lost_in * side;
         value = value + vec4_all(select(reflects, several, several / (eta * eta)));
@@ -98,7 +99,7 @@ FN BsdfSample dielectric_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, F
     if (some(rough)) {
         m = select(rough, facets_visible_normal(facets_of(c), wo, u), m);
         loss = border_loss(world, c, rough);
-        Float lost = albedo_at(world, loss.front, wo.z, rough);
+        Float lost = albedo_at(world, loss.front, cosine_of_round_facets(facets_of(c), wo), rough);
         several = both(rough, choice < lost);
         rest = select(
             rough, select(several, choice / max(lost, Float(SMALLEST)), (choice - lost) / max(Float(1.0f) - lost, Float(SMALLEST))), rest);

@@ -30,12 +30,12 @@ FN Coat coat_of(Float eta, Float roughness_x, Float roughness_y, Mask beckmann) 
 }
 
 // What it reflects of light from a direction.
-FN Float coat_albedo(IN(WorldRecord) world, IN(Coat) coat, Float cosine, Mask mask) {
+FN Float coat_albedo(IN(WorldRecord) world, IN(Coat) coat, Vec3 w, Mask mask) {
     Float cos_t = Float(0.0f);
-    Float share = fresnel(max(cosine, Float(0.0f)), coat.eta, cos_t);
+    Float share = fresnel(abs(w.z), coat.eta, cos_t);
     Mask rough = both(mask, coat.rough);
     if (some(rough)) {
-        share = select(rough, albedo_at(world, coat.place, cosine, rough), share);
+        share = select(rough, albedo_at(world, coat.place, cosine_of_round_facets(coat.facets, w), rough), share);
     }
     return share;
 }
@@ -63,8 +63,8 @@ FN BsdfValue plastic_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 w
     Mask good = both(mask, both(wo.z > Float(0.0f), wi.z > Float(0.0f)));
     if (some(good)) {
         Coat coat = coat_of(c.index.x, c.roughness_x, c.roughness_y, c.beckmann);
-        Float reflected_out = coat_albedo(world, coat, wo.z, good);
-        Float reflected_in = coat_albedo(world, coat, wi.z, good);
+        Float reflected_out = coat_albedo(world, coat, wo, good);
+        Float reflected_in = coat_albedo(world, coat, wi, good);
         Float passes = Float(1.0f) - mean_albedo(world, coat.place, good);
         Spectrum body = c.color / passes;
         if (some(c.saturates)) {
@@ -92,7 +92,7 @@ FN BsdfSample plastic_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Floa
     BsdfSample s = no_sample();
     Mask good = both(mask, wo.z > Float(0.0f));
     Coat coat = coat_of(c.index.x, c.roughness_x, c.roughness_y, c.beckmann);
-    Float reflected = coat_albedo(world, coat, wo.z, good);
+    Float reflected = coat_albedo(world, coat, wo, good);
     Float chance = plastic_chance(c, reflected);
     Mask border = choice < chance;
     s.wi = cosine_hemisphere(u);

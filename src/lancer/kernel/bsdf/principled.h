@@ -134,7 +134,7 @@ struct PrincipledParts {
     Float clear_chance;  // the rest: plastic
 };
 
-FN PrincipledParts principled_parts(IN(WorldRecord) world, IN(Closure) c, Float cosine, Mask mask) {
+FN PrincipledParts principled_parts(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Mask mask) {
     PrincipledParts p;
     p.coat = coat_of(c.coat_index, c.coat_roughness, c.coat_roughness, nowhere());
     p.outside = either(c.index.x >= Float(1.0f), c.thin);
@@ -142,11 +142,11 @@ FN PrincipledParts principled_parts(IN(WorldRecord) world, IN(Closure) c, Float 
     p.coat_out = Float(0.0f);
     Mask sheen = both(mask, largest(c.sheen) > Float(0.0f));
     if (some(sheen)) {
-        p.sheen_out = select(sheen, sheen_albedo(world, c.sheen_roughness, cosine, sheen), p.sheen_out);
+        p.sheen_out = select(sheen, sheen_albedo(world, c.sheen_roughness, wo.z, sheen), p.sheen_out);
     }
     Mask coated = both(mask, c.coat > Float(0.0f));
     if (some(coated)) {
-        p.coat_out = select(coated, coat_albedo(world, p.coat, cosine, coated), p.coat_out);
+        p.coat_out = select(coated, coat_albedo(world, p.coat, wo, coated), p.coat_out);
     }
     Float under_sheen = Float(1.0f) - largest(c.sheen) * min(p.sheen_out, Float(1.0f));
     Float coat = c.coat * p.coat_out * under_sheen;
@@ -169,17 +169,17 @@ FN Closure untinted(IN(Closure) c) {
 }
 
 // What the sheen lets through along wo and wi, both ways alike; and what the coat does.
-FN Vec2 principled_layers(IN(WorldRecord) world, IN(Closure) c, IN(PrincipledParts) p, Float cosine, Mask mask) {
+FN Vec2 principled_layers(IN(WorldRecord) world, IN(Closure) c, IN(PrincipledParts) p, Vec3 wi, Mask mask) {
     Float sheen_left = Float(1.0f);
     Float coat_left = Float(1.0f);
     Mask sheen = both(mask, largest(c.sheen) > Float(0.0f));
     if (some(sheen)) {
-        Float most = min(max(p.sheen_out, sheen_albedo(world, c.sheen_roughness, cosine, sheen)), Float(1.0f));
+        Float most = min(max(p.sheen_out, sheen_albedo(world, c.sheen_roughness, abs(wi.z), sheen)), Float(1.0f));
         sheen_left = select(sheen, Float(1.0f) - largest(c.sheen) * most, sheen_left);
     }
     Mask coated = both(mask, c.coat > Float(0.0f));
     if (some(coated)) {
-        Float most = max(p.coat_out, coat_albedo(world, p.coat, cosine, coated));
+        Float most = max(p.coat_out, coat_albedo(world, p.coat, wi, coated));
         coat_left = select(coated, Float(1.0f) - c.coat * most, coat_left);
     }
     return vec2_of(sheen_left, coat_left);
@@ -187,7 +187,7 @@ FN Vec2 principled_layers(IN(WorldRecord) world, IN(Closure) c, IN(PrincipledPar
 
 FN BsdfValue principled_parts_value(IN(WorldRecord) world, IN(Closure) c, IN(PrincipledParts) p, Vec3 wo, Vec3 wi, Mask mask) {
     Mask reflects = wi.z > Float(0.0f);
-    Vec2 layers = principled_layers(world, c, p, abs(wi.z), mask);
+    Vec2 layers = principled_layers(world, c, p, wi, mask);
     BsdfValue v = no_value();
     Mask metal = both(mask, c.metalness > Float(0.0f));
     if (some(metal)) {
@@ -232,12 +232,12 @@ FN BsdfValue principled_parts_value(IN(WorldRecord) world, IN(Closure) c, IN(Pri
 }
 
 FN BsdfValue principled_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 wi, Mask mask) {
-    PrincipledParts p = principled_parts(world, c, wo.z, mask);
+    PrincipledParts p = principled_parts(world, c, wo, mask);
     return principled_parts_value(world, c, p, wo, wi, mask);
 }
 
 FN BsdfSample principled_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Float choice, Vec2 u, Mask mask) {
-    PrincipledParts p = principled_parts(world, c, wo.z, mask);
+    PrincipledParts p = principled_parts(world, c, wo, mask);
     Mask good = both(mask, wo.z > Float(0.0f));
     BsdfSample s = no_sample();
     Float chance = Float(1.0f);  // of the part that is drawn from
@@ -296,7 +296,7 @@ FN BsdfSample principled_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, F
     }
 
     BsdfValue v = principled_parts_value(world, c, p, wo, s.wi, good);
-    Vec2 layers = principled_layers(world, c, p, abs(s.wi.z), good);
+    Vec2 layers = principled_layers(world, c, p, s.wi, good);
     Spectrum alone = s.weight * (share * layers.x * select(coated, Float(1.0f), layers.y) / max(chance, Float(SMALLEST)));
     s.weight = select(s.discrete, alone, v.value / max(v.density, Float(SMALLEST)));
     s.density = select(s.discrete, Float(0.0f), v.density);
