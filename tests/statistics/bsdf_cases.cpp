@@ -81,6 +81,9 @@ std::vector<Layers> layers_to_try() {
     return {{},
             {.metalness = 1.0f},
             {.metalness = 1.0f, .film = 0.7f},
+            {.film = 0.35f},
+            {.transmission = 1.0f, .film = 0.35f},
+            {.transmission = 0.6f, .thin = true, .film = 0.6f},
             {.transmission = 1.0f},
             {.transmission = 1.0f, .thin = true},
             {.metalness = 0.3f, .transmission = 0.4f},
@@ -160,7 +163,7 @@ std::vector<BsdfCase> bsdf_cases() {
         cases.push_back(opaque(fmt::format("plastic of Beckmann's {}, saturated", alpha), beckmann(plastic(tinted, alpha, 1.3f))));
         cases.back().closure.saturates = true;
     }
-    for (const float alpha : {0.0f, 0.15f, 0.6f}) {
+    for (const float alpha : {0.0f, 0.3f}) {
         for (const Layers& layers : layers_to_try()) {
             const Spectrum color = vec4_of(0.8f, 0.4f, 0.2f, 0.6f);
             cases.push_back(principled(color, alpha, layers));

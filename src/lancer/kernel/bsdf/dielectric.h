@@ -3,7 +3,7 @@
 #define LANCER_KERNEL_BSDF_DIELECTRIC_H
 
 #include "lancer/kernel/bsdf/albedo.h"
-#include "lancer/kernel/bsdf/fresnel.h"
+#include "lancer/kernel/bsdf/film.h"
 #include "lancer/kernel/warp.h"
 
 NAMESPACE_BEGIN
@@ -53,7 +53,7 @@ FN BsdfValue dielectric_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec
         Mask same_side = i > Float(0.0f);
         Mask good = both(rough, both(size > Float(SMALLEST), o > Float(0.0f)));
         good = either(both(good, both(reflects, same_side)), without(without(good, reflects), same_side));
-        Spectrum share = fresnel_spectrum(o, c.index);
+        Spectrum share = border_share(c, o);
         Float chance = mean(share);
         Float facets = facets_density(f, m);
         Float seen = facets_seen(f, wo);
@@ -105,7 +105,7 @@ FN BsdfSample dielectric_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, F
             rough, select(several, choice / max(lost, Float(SMALLEST)), (choice - lost) / max(Float(1.0f) - lost, Float(SMALLEST))), rest);
     }
     Float o = dot(wo, m);
-    Spectrum share = fresnel_spectrum(o, c.index);
+    Spectrum share = border_share(c, o);
     Float chance = mean(share);
     Float cos_t = sqrt(max(squared_cos_t(o, eta), Float(0.0f)));
     Mask reflects = rest < chance;

@@ -4,6 +4,7 @@
 #define LANCER_KERNEL_BSDF_FILM_H
 
 #include "lancer/kernel/bsdf/closure.h"
+#include "lancer/kernel/bsdf/fresnel.h"
 
 NAMESPACE_BEGIN
 
@@ -34,6 +35,34 @@ FN Float film_reflectance(Float cosine, Float film, Float film_index, Float inde
 FN Float index_that_reflects(Float share) {
     Float root = sqrt(min(max(share, Float(0.0f)), Float(0.98f)));
     return (Float(1.0f) + root) / (Float(1.0f) - root);
+}
+
+// Of a clear border with a film on its outer side, seen from either; `eta`: index behind over index in front. A border that swallows nothing reflects
+// the same share of a ray whichever way it goes.
+FN Float film_over_border(Float cosine, Float film, Float film_index, Float eta) {
+    Float cos_t_2 = squared_cos_t(cosine, eta);
+    Mask within = eta < Float(1.0f);
+    Float outer = select(within, sqrt(max(cos_t_2, Float(0.0f))), cosine);
+    Float share = film_reflectance(max(outer, Float(1.0e-3f)), film, film_index, select(within, Float(1.0f) / eta, eta));
+    return select(cos_t_2 <= Float(0.0f), Float(1.0f), share);
+}
+
+FN Spectrum film_over_border_spectrum(IN(Closure) c, Float cosine) {
+    return vec4_of(film_over_border(cosine, c.film.x, c.film_index, c.index.x), film_over_border(cosine, c.film.y, c.film_index, c.index.y),
+                   film_over_border(cosine, c.film.z, c.film_index, c.index.z),
+                   film_over_border(cosine, c.film.w, c.film_index, c.index.w));
+}
+
+FN Mask has_film(IN(Closure) c) { return largest(c.film) > Float(0.0f); }
+
+// What a clear border reflects, perhaps under a film.
+FN Spectrum border_share(IN(Closure) c, Float cosine) {
+    Spectrum share = fresnel_spectrum(cosine, c.index);
+    Mask film = has_film(c);
+    if (some(film)) {
+        share = select(film, film_over_border_spectrum(c, cosine), share);
+    }
+    return share;
 }
 
 FN Spectrum film_over_metal(IN(Closure) c, Float cosine) {

@@ -4,7 +4,7 @@
 #define LANCER_KERNEL_BSDF_PLASTIC_H
 
 #include "lancer/kernel/bsdf/albedo.h"
-#include "lancer/kernel/bsdf/fresnel.h"
+#include "lancer/kernel/bsdf/film.h"
 #include "lancer/kernel/warp.h"
 
 NAMESPACE_BEGIN
@@ -51,6 +51,22 @@ FN Vec2 coat_value(IN(Coat) coat, Vec3 wo, Vec3 wi) {
     return vec2_of(select(good, value, Float(0.0f)), select(good, facets * facets_seen(coat.facets, wo), Float(0.0f)));
 }
 
+// By how much a film on the border changes what it reflects.
+FN Spectrum film_tint(IN(Closure) c, IN(Coat) coat, Float cosine) {
+    Spectrum tint = vec4_all(Float(1.0f));
+    Mask film = has_film(c);
+    if (some(film)) {
+        Float cos_t = Float(0.0f);
+        Float bare = max(fresnel(abs(cosine), coat.eta, cos_t), Float(1.0e-4f));
+        Spectrum with_film = vec4_of(film_over_border(abs(cosine), c.film.x, c.film_index, coat.eta),
+                                     film_over_border(abs(cosine), c.film.y, c.film_index, coat.eta),
+                                     film_over_border(abs(cosine), c.film.z, c.film_index, coat.eta),
+                                     film_over_border(abs(cosine), c.film.w, c.film_index, coat.eta));
+        tint = select(film, with_film / bare, tint);
+    }
+    return tint;
+}
+
 // Of light that meets the surface, the chance to draw from the border's reflection.
 FN Float plastic_chance(IN(Closure) c, Float reflected) {
     Float border = reflected * max(largest(c.extinction), Float(1.0e-3f));
@@ -74,12 +90,21 @@ FN BsdfValue plastic_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 w
             body = select(c.saturates, several, body);
         }
         Float diffuse = wi.z * Float(1.0f / PI);
-        Spectrum value = body * ((Float(1.0f) - reflected_out) * (Float(1.0f) - reflected_in) * diffuse);
+        Spectrum passed = vec4_all((Float(1.0f) - reflected_out) * (Float(1.0f) - reflected_in));
+        Mask film = has_film(c);
+        if (some(film)) {
+            // The table knows no films: as other layers do, it takes what it reflects of either direction, whichever is more.
+            Spectrum most = max(film_tint(c, coat, wo.z) * reflected_out, film_tint(c, coat, wi.z) * reflected_in);
+            Spectrum left_over = vec4_all(Float(1.0f)) - min(most, vec4_all(Float(1.0f)));
+            passed = select(film, left_over * passes, passed);
+        }
+        Spectrum value = body * passed * diffuse;
         Float chance = plastic_chance(c, reflected_out);
         Float density = (Float(1.0f) - chance) * diffuse;
         if (some(coat.rough)) {
             Vec2 facets = coat_value(coat, wo, wi);
-            value = value + c.extinction * facets.x;
+            Spectrum tint = c.extinction * film_tint(c, coat, dot(wo, normalize(wo + wi)));
+            value = value + tint * facets.x;
             density = density + chance * facets.y;
         }
         v.value = select(good, value, v.value);
@@ -104,7 +129,8 @@ FN BsdfSample plastic_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Floa
     s.discrete = without(both(good, border), coat.rough);
     s.wi = select(s.discrete, vec3_of(-wo.x, -wo.y, wo.z), s.wi);
     BsdfValue v = plastic_value(world, c, wo, s.wi, good);
-    s.weight = select(s.discrete, c.extinction * (reflected / max(chance, Float(SMALLEST))), v.value / max(v.density, Float(SMALLEST)));
+    Spectrum mirrored = c.extinction * film_tint(c, coat, wo.z) * (reflected / max(chance, Float(SMALLEST)));
+    s.weight = select(s.discrete, mirrored, v.value / max(v.density, Float(SMALLEST)));
     s.density = select(s.discrete, Float(0.0f), v.density);
     s.valid = either(s.discrete, both(both(good, s.wi.z > Float(0.0f)), v.density > Float(0.0f)));
     return s;

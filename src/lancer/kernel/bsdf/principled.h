@@ -20,7 +20,7 @@ FN Spectrum colored_metal(IN(Closure) c, Float cosine) {
     Float off = Float(1.0f) - clamp01(cosine);
     Float off_2 = off * off;
     Spectrum share = c.color + (vec4_all(Float(1.0f)) - c.color) * (off_2 * off_2 * off);
-    Mask film = largest(c.film) > Float(0.0f);
+    Mask film = has_film(c);
     if (some(film)) {
         share = select(film, film_over_metal(c, cosine), share);
     }
@@ -74,7 +74,7 @@ FN BsdfValue sheet_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 wi,
         Mask reflects = wi.z > Float(0.0f);
         Vec3 turned = vec3_of(wi.x, wi.y, abs(wi.z));
         Vec3 m = normalize(wo + turned);
-        Spectrum once = fresnel_spectrum(dot(wo, m), c.index);
+        Spectrum once = border_share(c, dot(wo, m));
         Spectrum share = once * Float(2.0f) / (vec4_all(Float(1.0f)) + once);
         Float chance = mean(share);
         Float facets = facets_density(f, m) * Float(0.25f) / max(wo.z, Float(SMALLEST));
@@ -105,7 +105,7 @@ FN BsdfSample sheet_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Float 
         rest = select(rough, within, rest);
     }
     Float o = dot(wo, m);
-    Spectrum once = fresnel_spectrum(o, c.index);
+    Spectrum once = border_share(c, o);
     Spectrum share = once * Float(2.0f) / (vec4_all(Float(1.0f)) + once);
     Float chance = mean(share);
     Mask reflects = rest < select(several, Float(0.5f), chance);
