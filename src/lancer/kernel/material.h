@@ -104,8 +104,8 @@ FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, 
         c.film_index = Float(material.film_index);
         c.film = film_thickness(material, nanometres, world.spectral != 0);
         c.thin = all_or_none((material.flags & MATERIAL_THIN) != 0);
-        if (material.detail >= 0) {
-            TextureRecord texture = AT(world.textures, material.detail);
+        if (material.detail > 0) {
+            TextureRecord texture = AT(world.textures, material.detail - 1);
             Vec3 detail = texture_color(world, texture, point.local, point.local_in, point.uv, mask);
             // The texture scales the roughness that people speak of, the root of alpha.
             c.roughness_x = c.roughness_x * detail.y * detail.y;

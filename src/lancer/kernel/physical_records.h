@@ -55,7 +55,7 @@ struct MaterialRecord {
     float sheen_roughness;  // 0 to 1
     float film_thickness;   // nanometres of a film on it, 0: none
     float film_index;       // index of refraction of the film, 1.3
-    int detail;             // into textures, whose green scales the roughness and whose blue the metalness; -1: none
+    int detail;             // 1 + index of a texture whose green scales the roughness and whose blue the metalness; 0: none
 };
 
 const int EMITTER_POINT = 0;
