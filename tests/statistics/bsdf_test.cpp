@@ -104,6 +104,36 @@ TEST_P(BsdfKind, DrawsWithItsDensity) {
     }
 }
 
+// Directions along the surface, numbers at the ends of their range, roughness at the end of what counts as rough.
+TEST(Bsdf, EveryNumberIsFinite) {
+    constexpr double last = 0.99999994;
+    for (const BsdfCase& c : bsdf_cases()) {
+        BsdfCase barely = c;
+        barely.closure.roughness_x = barely.closure.roughness_y = 1.001e-3f;
+        for (const Closure& closure : {c.closure, barely.closure}) {
+            for (const double cosine : {1.0, 1e-2, 1e-4, 1e-7}) {
+                const Vec3 wo = direction_of(cosine, 0.4);
+                for (const double choice : {0.0, 0.3, 0.7, last}) {
+                    for (const double u : {0.0, 0.5, last}) {
+                        for (const double v : {0.0, 0.25, last}) {
+                            const BsdfSample s = sample_of(closure, wo, choice, u, v);
+                            if (!s.valid) {
+                                continue;
+                            }
+                            for (const float x : {s.wi.x, s.wi.y, s.wi.z, s.weight.x, s.weight.w, s.density}) {
+                                ASSERT_TRUE(std::isfinite(x)) << c.name << " " << cosine << " " << choice << " " << u << " " << v;
+                            }
+                            ASSERT_GE(s.weight.x, 0.0f);
+                            const BsdfValue value = value_of(closure, wo, s.wi);
+                            ASSERT_TRUE(std::isfinite(value.value.x) && value.value.x >= 0.0f && std::isfinite(value.density)) << c.name;
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
 // f(a, b) = f(b, a); through a border the radiance is divided by the squared index of its side.
 TEST(Bsdf, IsTheSameBothWays) {
     std::mt19937 numbers(2);
