@@ -48,3 +48,7 @@ picture camera-tele features/camera --camera tele --size 480x270
 for scene in sphereflake chess glassware city; do
     picture "$scene" "gallery/$scene" "${small[@]}"
 done
+for scene in metals clear-bodies plastics principled depth-of-field lamps; do
+    picture "$scene" "features/$scene" "${small[@]}"
+done
+picture cornell-box gallery/cornell-box --size 480x480

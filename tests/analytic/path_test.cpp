@@ -173,6 +173,23 @@ TEST(Path, ASlabOfGlassLetsThroughWhatFresnelSays) {
     EXPECT_LT(e.error.x, 0.0005);
 }
 
+// However often a path is bent by glass that spreads colours, white stays white.
+TEST(Path, DispersiveGlassInAFurnaceIsInvisible) {
+    Physical world(200);
+    world.scene.settings.rgb = false;
+    scene::Material glass;
+    glass.model = scene::DielectricMaterial{.refraction = scene::NamedGlass{"N-SF11"}};
+    world.add(scene::Sphere{{0.0, 0.0, 0.0}, 1.0}, world.material(glass));
+    world.add(scene::Sphere{{0.0, 0.0, 0.0}, 0.3}, world.material(diffuse(1.0)));
+    world.set_background(1.0, 1.0, 1.0);
+    world.scene.cameras[0].fov = 20.0;
+    const Estimate e = world.estimate(16384);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(e.mean[c], 1.0, 0.001 + 4.0 * e.error[c]) << "channel " << c;
+    }
+    EXPECT_LT(e.error.y, 0.01);
+}
+
 TEST(Path, AbsorptionFollowsBeer) {
     Physical world(8);
     scene::Material body;

@@ -37,6 +37,7 @@ struct Case {
     std::string scene;
     bool adaptive = false;
     Tracer tracer = Tracer::automatic;
+    int spp = 0;  // path integrator
 };
 
 class SameBytes : public testing::TestWithParam<Case> {
@@ -51,6 +52,7 @@ protected:
         options_.width = width;
         options_.height = height;
         options_.ssaa = 2;
+        options_.spp = GetParam().spp;
         options_.adaptive = GetParam().adaptive;
         options_.threads = 1;
     }
@@ -110,7 +112,9 @@ TEST_P(SameBytes, ForAnyNumberOfLanes) {
 INSTANTIATE_TEST_SUITE_P(Golden, SameBytes,
                          testing::Values(Case{"Figure1", "report/figure-1.toml"}, Case{"Figure1Adaptive", "report/figure-1.toml", true},
                                          Case{"Figure1InTheTree", "report/figure-1.toml", false, Tracer::tree},
-                                         Case{"Lights", "report/lights.toml"}, Case{"Benchmark", "benchmark/whitted.toml", true}),
+                                         Case{"Lights", "report/lights.toml"}, Case{"Benchmark", "benchmark/whitted.toml", true},
+                                         Case{"Paths", "gallery/cornell-box.toml", false, Tracer::automatic, 7},
+                                         Case{"PathsInTheTree", "features/principled.toml", false, Tracer::tree, 4}),
                          [](const auto& one) { return one.param.name; });
 
 TEST(SameBytes, BothTracersGiveTheSamePicture) {

@@ -199,7 +199,9 @@ FN void find_border(IN(WorldRecord) world, IN(PathState) path, Mask clear, Mask 
             eta.y = refractive_index(world, behind, path.nanometres.y, clear) / refractive_index(world, front, path.nanometres.y, clear);
             eta.z = refractive_index(world, behind, path.nanometres.z, clear) / refractive_index(world, front, path.nanometres.z, clear);
             eta.w = refractive_index(world, behind, path.nanometres.w, clear) / refractive_index(world, front, path.nanometres.w, clear);
-            vertex.closure.disperses = without(disperses, thin);
+            // A path that has given up its other wavelengths has none to give up again.
+            Mask several = max(max(path.throughput.y, path.throughput.z), path.throughput.w) > Float(0.0f);
+            vertex.closure.disperses = both(without(disperses, thin), several);
         }
     }
     vertex.closure.index = select(clear, eta, vertex.closure.index);

@@ -109,6 +109,33 @@ struct DielectricMaterial {
     bool thin = false;
 };
 
+// A coloured body under a clear coat.
+struct PlasticMaterial {
+    Texture color = Rgb{0.8};
+    double refraction = 1.5;  // of the coat
+    double roughness = 0.0;
+    bool saturates = true;  // light that the coat sends back takes the body's colour again
+};
+
+// Layers: sheen over a clear coat over a base of metal, coloured body or clear body. After glTF's metallic-roughness and its extensions.
+struct PrincipledMaterial {
+    Texture color = Rgb{0.8};
+    double metalness = 0.0;
+    double roughness = 0.3;
+    double anisotropy = 0.0;
+    double refraction = 1.5;
+    Rgb specular{1.0};  // tint of what the base reflects
+    double transmission = 0.0;
+    bool thin = false;
+    Rgb absorption{0.0};
+    double coat = 0.0;
+    double coat_roughness = 0.0;
+    Rgb sheen{0.0};
+    double sheen_roughness = 0.3;
+    double film = 0.0;  // thickness in nanometres of a thin film; 0: none
+    double film_refraction = 1.3;
+};
+
 // Light that a surface gives by itself.
 struct Emission {
     Texture radiance = Rgb{0.0};  // W/(m^2 sr), weighed by the eye: 1 is as bright as a white surface under an irradiance of pi
@@ -118,7 +145,7 @@ struct Emission {
 
 struct Material {
     std::string name;  // empty when written in place
-    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial> model;
+    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial> model;
     SourcePosition position;
     std::optional<Emission> emission = std::nullopt;
 };

@@ -25,7 +25,6 @@ public:
         record.extinction = colors_.constant(0.0);
         record.emission = colors_.constant(0.0);
         record.clearness = colors_.constant(1.0);
-        record.detail = -1;
         std::visit([&](const auto& model) { set(model, record); }, material.model);
         if (material.emission) {
             record.emission = colors_.light(textures_.add(material.emission->radiance), material.emission->strength);
@@ -69,11 +68,43 @@ private:
         record.kind = material.thin ? kernel::BSDF_THIN_DIELECTRIC : kernel::BSDF_DIELECTRIC;
         record.color = colors_.reflectance(textures_.add(material.color));
         set_roughness(material.roughness, material.anisotropy, record);
-        const double most = std::max({material.absorption.x, material.absorption.y, material.absorption.z});
+        set_absorption(material.absorption, record);
+    }
+
+    void set(const scene::PlasticMaterial& material, kernel::MaterialRecord& record) {
+        record.kind = kernel::BSDF_PLASTIC;
+        record.color = colors_.reflectance(textures_.add(material.color));
+        record.extinction = colors_.constant(1.0);
+        record.eta = static_cast<float>(material.refraction);
+        record.flags |= material.saturates ? kernel::MATERIAL_SATURATES : 0;
+        set_roughness(material.roughness, 0.0, record);
+    }
+
+    void set(const scene::PrincipledMaterial& material, kernel::MaterialRecord& record) {
+        record.kind = kernel::BSDF_PRINCIPLED;
+        record.color = colors_.reflectance(textures_.add(material.color));
+        record.index = colors_.reflectance(material.sheen);
+        record.extinction = colors_.reflectance(material.specular);
+        record.eta = static_cast<float>(material.refraction);
+        record.metalness = static_cast<float>(material.metalness);
+        record.transmission = static_cast<float>(material.transmission);
+        record.coat = static_cast<float>(material.coat);
+        record.coat_roughness = static_cast<float>(material.coat_roughness * material.coat_roughness);
+        record.coat_index = 1.5f;
+        record.sheen_roughness = static_cast<float>(material.sheen_roughness);
+        record.film_thickness = static_cast<float>(material.film);
+        record.film_index = static_cast<float>(material.film_refraction);
+        record.flags |= material.thin ? kernel::MATERIAL_THIN : 0;
+        set_roughness(material.roughness, material.anisotropy, record);
+        set_absorption(material.absorption, record);
+    }
+
+    void set_absorption(const scene::Rgb& absorption, kernel::MaterialRecord& record) {
+        const double most = std::max({absorption.x, absorption.y, absorption.z});
         if (most > 0.0) {
             // The depth at which the strongest colour has faded to 1/e: neither 0 nor 1, which no spectrum could tell from their neighbours.
             record.clear_distance = static_cast<float>(1.0 / most);
-            record.clearness = colors_.reflectance(glm::exp(-material.absorption / most));
+            record.clearness = colors_.reflectance(glm::exp(-absorption / most));
         }
     }
 

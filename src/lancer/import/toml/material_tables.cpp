@@ -81,4 +81,35 @@ const Table& dielectric_material() {
     return table;
 }
 
+const Table& plastic_material() {
+    static const Table table =
+        physical("plastic", "A coloured body under a clear coat, as plastic, varnished wood or glazed china.",
+                 {{"color", Kind::texture, glm::dvec3(0.8), share, "", "The share of light that the body scatters."},
+                  {"refraction", Kind::number, 1.5, Range{1.0, 3.0}, "", "The refractive index of the coat."},
+                  roughness,
+                  {"saturates", Kind::flag, true, any, "", "Light that the coat sends back into the body takes its colour once more."}});
+    return table;
+}
+
+const Table& principled_material() {
+    static const Table table = physical(
+        "principled", "A layered surface for nearly everything: sheen over a coat over a base of metal, coloured body or clear body.",
+        {{"color", Kind::texture, glm::dvec3(0.8), share, "", "The colour of the base."},
+         {"metalness", Kind::number, 0.0, share, "", "From 0, none, to 1, a metal."},
+         {"roughness", Kind::number, 0.3, share, "", "From 0, polished, to 1; its square is the width of the facets' slopes."},
+         anisotropy,
+         {"refraction", Kind::number, 1.5, Range{1.0, 3.0}, "", "The refractive index of the base where it is no metal."},
+         {"specular", Kind::color, glm::dvec3(1.0), share, "", "A tint of what the border of the base reflects; white in nature."},
+         {"transmission", Kind::number, 0.0, share, "", "How much of the base is a clear body."},
+         {"thin", Kind::flag, false, any, "", "A sheet without inside: what passes through is not bent."},
+         {"absorption", Kind::color, origin, not_negative, "1/m", "How fast each colour fades inside: exp(-absorption * depth)."},
+         {"coat", Kind::number, 0.0, share, "", "How much of the surface a clear coat covers."},
+         {"coat_roughness", Kind::number, 0.0, share, "", "Of the coat."},
+         {"sheen", Kind::color, origin, share, "", "Light from fine fibres, as of velvet."},
+         {"sheen_roughness", Kind::number, 0.3, share, "", "Of the fibres."},
+         {"film", Kind::number, 0.0, Range{0.0, 10000.0}, "nm", "The thickness of a film that shimmers in colours; 0 for none."},
+         {"film_refraction", Kind::number, 1.3, Range{1.0, 3.0}, "", "The refractive index of the film."}});
+    return table;
+}
+
 }  // namespace lancer::notation

@@ -132,6 +132,30 @@ scene::DielectricMaterial read_dielectric(Context& context, TableReader& reader)
     return model;
 }
 
+scene::PlasticMaterial read_plastic(Context& context, TableReader& reader) {
+    return {read_texture(context, reader, "color"), reader.number("refraction"), reader.number("roughness"), reader.flag("saturates")};
+}
+
+scene::PrincipledMaterial read_principled(Context& context, TableReader& reader) {
+    scene::PrincipledMaterial model;
+    model.color = read_texture(context, reader, "color");
+    model.metalness = reader.number("metalness");
+    model.roughness = reader.number("roughness");
+    model.anisotropy = reader.number("anisotropy");
+    model.refraction = reader.number("refraction");
+    model.specular = read_color(reader, "specular");
+    model.transmission = reader.number("transmission");
+    model.thin = reader.flag("thin");
+    model.absorption = read_color(reader, "absorption");
+    model.coat = reader.number("coat");
+    model.coat_roughness = reader.number("coat_roughness");
+    model.sheen = read_color(reader, "sheen");
+    model.sheen_roughness = reader.number("sheen_roughness");
+    model.film = reader.number("film");
+    model.film_refraction = reader.number("film_refraction");
+    return model;
+}
+
 std::optional<scene::Emission> read_emission(Context& context, TableReader& reader) {
     const scene::Emission emission{read_texture(context, reader, "emission"), reader.number("emission_strength"),
                                    reader.choice("emission_sides") == 1};
@@ -177,8 +201,14 @@ scene::Material Materials::read_table(const toml::table& table) {
         case 2:
             material.model = read_conductor(context_, reader);
             break;
-        default:
+        case 3:
             material.model = read_dielectric(context_, reader);
+            break;
+        case 4:
+            material.model = read_plastic(context_, reader);
+            break;
+        default:
+            material.model = read_principled(context_, reader);
             break;
     }
     material.emission = read_emission(context_, reader);

@@ -82,6 +82,8 @@ const Table& whitted_material();
 const Table& diffuse_material();
 const Table& conductor_material();
 const Table& dielectric_material();
+const Table& plastic_material();
+const Table& principled_material();
 const Table& checker();
 const Table& image();
 const Table& abbe_glass();
