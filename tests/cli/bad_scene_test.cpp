@@ -121,5 +121,26 @@ TEST(BadScene, InfoAndViewRefuseItToo) {
     EXPECT_THAT(folder.names(), ElementsAre("scene.toml"));
 }
 
+TEST(BadScene, PhysicalScenesNeedPhysicalMaterialsAndLights) {
+    const Folder folder;
+    const std::string start = "[render]\nsize = [16, 9]\nspp = 1\n[camera]\nposition = [0, 1, 5]\n";
+    const std::string metal = "[[sphere]]\nmaterial = { type = \"conductor\", metal = \"gold\" }\n";
+    const std::string light = "[[light]]\ntype = \"point\"\nposition = [1, 5, 2]\n";
+    folder.write("scene.toml", start + metal + "[[sphere]]\nmaterial = { color = \"red\" }\n" + light + "power = [9, 9, 9]\n");
+    Finished finished = run_lancer(folder, {"render", "scene.toml", "-o", "picture.png"});
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_THAT(finished.err, HasSubstr("scene.toml:9:12: error: this material is for the whitted integrator"));
+    folder.write("scene.toml", start + metal + light);
+    finished = run_lancer(folder, {"render", "scene.toml", "-o", "picture.png"});
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_THAT(finished.err, HasSubstr("scene.toml:8:1: error: for the path integrator a light needs \"power\""));
+    EXPECT_FALSE(folder.has("picture.png"));
+    // A shape without a material is diffuse.
+    folder.write("scene.toml", start + metal + "[[sphere]]\n" + light + "power = [9, 9, 9]\n");
+    finished = run_lancer(folder, {"render", "scene.toml", "-o", "picture.png"});
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    EXPECT_TRUE(folder.has("picture.png"));
+}
+
 }  // namespace
 }  // namespace lancer::test

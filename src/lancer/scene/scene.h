@@ -148,6 +148,7 @@ struct Material {
     std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial> model;
     SourcePosition position;
     std::optional<Emission> emission = std::nullopt;
+    bool is_default = false;  // for shapes without one: as it is, or diffuse where light follows physics
 };
 
 inline bool is_physical(const Material& material) {

@@ -25,7 +25,11 @@ public:
         record.extinction = colors_.constant(0.0);
         record.emission = colors_.constant(0.0);
         record.clearness = colors_.constant(1.0);
-        std::visit([&](const auto& model) { set(model, record); }, material.model);
+        if (material.is_default) {
+            set(scene::DiffuseMaterial{}, record);
+        } else {
+            std::visit([&](const auto& model) { set(model, record); }, material.model);
+        }
         if (material.emission) {
             record.emission = colors_.light(textures_.add(material.emission->radiance), material.emission->strength);
             record.flags |= kernel::MATERIAL_EMITS;
@@ -38,8 +42,9 @@ public:
 
 private:
     void set(const scene::WhittedMaterial&, kernel::MaterialRecord&) {
-        diagnostics_.error(*position_,
-                           "this material is for the whitted integrator; for path it needs a type: diffuse, conductor or dielectric");
+        diagnostics_.error(
+            *position_,
+            "this material is for the whitted integrator; for path it needs another type, such as diffuse, conductor or principled");
     }
 
     void set(const scene::DiffuseMaterial& material, kernel::MaterialRecord& record) {

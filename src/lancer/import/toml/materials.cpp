@@ -288,7 +288,7 @@ int Materials::read(TableReader& reader, std::string_view key) {
 int Materials::preset() {
     if (preset_ < 0) {
         preset_ = static_cast<int>(context_.scene.materials.size());
-        context_.scene.materials.push_back({{}, scene::WhittedMaterial{}, {context_.messages.file(), 0, 0}, std::nullopt});
+        context_.scene.materials.push_back({{}, scene::WhittedMaterial{}, {context_.messages.file(), 0, 0}, std::nullopt, true});
     }
     return preset_;
 }
