@@ -20,32 +20,48 @@ const char* word(Severity severity) {
 
 }  // namespace
 
-std::string to_string(const Diagnostic& diagnostic) {
-    const SourcePosition& at = diagnostic.position;
-    std::string text = at.file;
-    if (!at.file.empty() && at.line > 0) {
-        text += fmt::format(":{}", at.line);
-        if (at.column > 0) {
-            text += fmt::format(":{}", at.column);
+std::string to_string(const SourcePosition& position) {
+    std::string text = position.file;
+    if (!text.empty() && position.line > 0) {
+        text += fmt::format(":{}", position.line);
+        if (position.column > 0) {
+            text += fmt::format(":{}", position.column);
         }
+    } else if (!text.empty() && position.byte >= 0) {
+        text += fmt::format(": byte {}", position.byte);
     }
+    return text;
+}
+
+std::string to_string(const Diagnostic& diagnostic) {
+    std::string text = to_string(diagnostic.position);
     if (!text.empty()) {
         text += ": ";
     }
     return text + word(diagnostic.severity) + ": " + diagnostic.message;
 }
 
-void Diagnostics::note(SourcePosition position, std::string message) { add(Severity::note, std::move(position), std::move(message)); }
+void Diagnostics::note(SourcePosition position, std::string message) { add({Severity::note, std::move(position), std::move(message)}); }
 
-void Diagnostics::warning(SourcePosition position, std::string message) { add(Severity::warning, std::move(position), std::move(message)); }
+void Diagnostics::warning(SourcePosition position, std::string message) {
+    add({Severity::warning, std::move(position), std::move(message)});
+}
 
-void Diagnostics::error(SourcePosition position, std::string message) { add(Severity::error, std::move(position), std::move(message)); }
+void Diagnostics::error(SourcePosition position, std::string message) { add({Severity::error, std::move(position), std::move(message)}); }
 
-void Diagnostics::add(Severity severity, SourcePosition position, std::string message) {
-    if (severity == Severity::error) {
+void Diagnostics::append(Diagnostics&& later) {
+    for (Diagnostic& diagnostic : later.list_) {
+        add(std::move(diagnostic));
+    }
+    later.list_.clear();
+    later.errors_ = 0;
+}
+
+void Diagnostics::add(Diagnostic diagnostic) {
+    if (diagnostic.severity == Severity::error) {
         ++errors_;
     }
-    list_.push_back({severity, std::move(position), std::move(message)});
+    list_.push_back(std::move(diagnostic));
 }
 
 }  // namespace lancer

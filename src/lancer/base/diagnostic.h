@@ -1,18 +1,24 @@
 // Messages about what the user wrote: where, what is wrong, what was expected. Readers collect many instead of stopping at the first.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace lancer {
 
-// A place in a text file. Lines and columns count from 1; 0 means unknown. An empty file name means the command line.
+// A place in a file. Lines and columns count from 1, 0 means unknown; in binary files `byte` counts from 0, -1 means unknown. An empty file name
+// means the command line.
 struct SourcePosition {
     std::string file;
     int line = 0;
     int column = 0;
+    std::int64_t byte = -1;
 };
+
+// "file:line:column" or "file: byte 1234"; unknown parts are left out.
+std::string to_string(const SourcePosition& position);
 
 enum class Severity { note, warning, error };
 
@@ -31,12 +37,13 @@ public:
     void warning(SourcePosition position, std::string message);
     void error(SourcePosition position, std::string message);
 
+    void add(Diagnostic diagnostic);
+    void append(Diagnostics&& later);
+
     bool has_errors() const { return errors_ > 0; }
     const std::vector<Diagnostic>& list() const { return list_; }
 
 private:
-    void add(Severity severity, SourcePosition position, std::string message);
-
     std::vector<Diagnostic> list_;
     int errors_ = 0;
 };

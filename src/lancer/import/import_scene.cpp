@@ -1,52 +1,84 @@
+#include <algorithm>
+#include <array>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "lancer/base/file.h"
 #include "lancer/import/default_view.h"
 #include "lancer/import/import.h"
-#include "lancer/import/scene_files.h"
+#include "lancer/import/reader.h"
 
 namespace lancer {
 
 namespace {
 
 // The tree of values takes many times the text's size; large meshes belong into files of their own.
-constexpr std::size_t largest_text = std::size_t{32} << 20;
+constexpr std::size_t largest_toml = std::size_t{32} << 20;
 
-std::optional<scene::Scene> import_mesh(const std::string& path, Diagnostics& diagnostics) {
-    SceneFiles files(diagnostics);
+// An OBJ or PLY file alone.
+void read_mesh_alone(ImportContext& context, scene::Scene& scene) {
     scene::Mesh mesh;
-    mesh.data = files.mesh(path, {});
+    mesh.data = context.files.mesh(context.path, {});
     if (!mesh.data) {
-        return std::nullopt;
+        return;
     }
-    const SourcePosition position{path, 0, 0};
-    scene::Scene scene;
-    scene.file = path;
-    scene.hash = files.hash();
+    const SourcePosition position{context.path, 0, 0};
     scene.materials.push_back({{}, scene::WhittedMaterial{}, position});
     scene.objects.push_back({{}, mesh, 0, glm::dmat4(1.0), position});
     scene.lights = default_lights();
     scene.background = default_background();
     scene.cameras.push_back(default_camera(scene::bounds(scene)));
-    return scene;
 }
+
+struct Format {
+    std::string_view ending;
+    Reader read;
+};
+
+// All formats but our own.
+constexpr std::array formats = {
+    Format{".obj", read_mesh_alone},
+    Format{".ply", read_mesh_alone},
+};
 
 }  // namespace
 
-std::optional<scene::Scene> import_scene(const std::string& path, Diagnostics& diagnostics) {
+std::vector<std::string> scene_endings() {
+    std::vector<std::string> endings = {".toml"};
+    for (const Format& format : formats) {
+        endings.emplace_back(format.ending);
+    }
+    return endings;
+}
+
+std::optional<scene::Scene> import_scene(const std::string& path, const ImportOptions& options, ImportReport& report,
+                                         Diagnostics& diagnostics) {
     const std::string ending = file_ending(path);
-    if (ending == ".obj" || ending == ".ply") {
-        return import_mesh(path, diagnostics);
+    if (ending == ".toml") {
+        const auto bytes = read_file(path, {}, diagnostics, largest_toml);
+        return bytes ? import_toml(bytes->view(), path, diagnostics) : std::nullopt;
     }
-    if (ending != ".toml") {
-        diagnostics.error({}, fmt::format("cannot tell what \"{}\" is: scenes end with .toml, .obj or .ply", path));
+    const auto format = std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.ending == ending; });
+    if (format == formats.end()) {
+        diagnostics.error({}, fmt::format("cannot tell what \"{}\" is: scenes end with one of {}", path, fmt::join(scene_endings(), ", ")));
         return std::nullopt;
     }
-    const auto bytes = read_file(path, {}, diagnostics, largest_text);
-    if (!bytes) {
-        return std::nullopt;
-    }
-    return import_toml(bytes->view(), path, diagnostics);
+    Diagnostics ours;
+    SceneFiles files(path, options, ours);
+    scene::Scene scene;
+    scene.file = path;
+    ImportContext context{path, options, files, report, ours};
+    format->read(context, scene);
+    scene.hash = files.hash();
+    const bool failed = ours.has_errors();
+    diagnostics.append(std::move(ours));
+    return failed ? std::nullopt : std::optional<scene::Scene>(std::move(scene));
+}
+
+std::optional<scene::Scene> import_scene(const std::string& path, Diagnostics& diagnostics) {
+    ImportReport report;
+    return import_scene(path, {}, report, diagnostics);
 }
 
 }  // namespace lancer

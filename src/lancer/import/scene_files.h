@@ -3,32 +3,44 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "lancer/base/diagnostic.h"
+#include "lancer/base/file.h"
 #include "lancer/base/hash.h"
+#include "lancer/import/import.h"
 #include "lancer/scene/scene.h"
 
 namespace lancer {
 
 class SceneFiles {
 public:
-    explicit SceneFiles(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+    // `scene` is the file that names all others; of the options, `sandbox` and `magenta_textures` are kept to.
+    SceneFiles(std::string scene, const ImportOptions& options, Diagnostics& diagnostics)
+        : scene_(std::move(scene)), options_(options), diagnostics_(diagnostics) {}
+
+    // Any file, read and hashed. In a sandbox, files outside the scene's folder are errors.
+    std::optional<FileBytes> open(const std::string& path, const SourcePosition& named_at);
 
     void add_to_hash(std::string_view bytes) { hashes_.push_back(hash_bytes(bytes)); }
 
     // By the file's ending, .obj or .ply. Null when it can't be read; the diagnostics say why, once for each file.
     std::shared_ptr<const scene::TriangleMesh> mesh(const std::string& path, const SourcePosition& named_at);
 
-    // Whether the picture is there; its pixels are read later.
+    // Whether the picture is there; its pixels are read later. Without it: an error, or a warning where missing pictures are to be magenta.
     bool image(const std::string& path, const SourcePosition& named_at);
 
     // Of everything so far, in the order of reading; hexadecimal.
     std::string hash() const;
 
 private:
+    bool is_allowed(const std::string& path, const SourcePosition& named_at);
+
+    std::string scene_;
+    ImportOptions options_;
     Diagnostics& diagnostics_;
     std::vector<Hash> hashes_;
     std::map<std::string, std::shared_ptr<const scene::TriangleMesh>> meshes_;

@@ -26,7 +26,7 @@ std::optional<scene::Scene> import_toml(std::string_view text, const std::string
     scene::Scene scene;
     scene.file = path;
     if (const auto root = notation::parse(text, path, ours)) {
-        SceneFiles files(ours);
+        SceneFiles files(path, {}, ours);
         files.add_to_hash(text);
         notation::Messages messages(path, ours);
         notation::Context context{messages, files, scene};
@@ -34,17 +34,7 @@ std::optional<scene::Scene> import_toml(std::string_view text, const std::string
         scene.hash = files.hash();
     }
     for (Diagnostic& diagnostic : sorted_by_position(ours, path)) {
-        switch (diagnostic.severity) {
-            case Severity::note:
-                diagnostics.note(std::move(diagnostic.position), std::move(diagnostic.message));
-                break;
-            case Severity::warning:
-                diagnostics.warning(std::move(diagnostic.position), std::move(diagnostic.message));
-                break;
-            case Severity::error:
-                diagnostics.error(std::move(diagnostic.position), std::move(diagnostic.message));
-                break;
-        }
+        diagnostics.add(std::move(diagnostic));
     }
     if (ours.has_errors()) {
         return std::nullopt;
