@@ -94,6 +94,25 @@ TEST(Path, FurnaceIsAsBrightAsItsSeries) {
     }
 }
 
+// Samples from where the filter is negative are followed like others.
+TEST(Path, AFilterWithNegativeLobesLosesNoLight) {
+    for (const int bounces : {1, 1000}) {
+        Physical world(bounces);
+        world.scene.settings.filter = scene::PixelFilter::mitchell;
+        if (bounces == 1) {
+            world.add(scene::Plane{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, world.material(diffuse(0.5)));
+            world.set_background(1.0, 1.0, 1.0);
+            world.look({0.0, 0.5, 5.0}, {0.0, -0.1, -1.0});
+        } else {
+            world.add(scene::Sphere{{0.0, 0.0, 5.0}, 2.0}, world.material(diffuse(0.8, 1.0, true)));
+        }
+        const double truth = bounces == 1 ? 0.5 : 5.0;
+        const Estimate e = world.estimate(16384);
+        EXPECT_NEAR(e.mean.x, truth, 0.001 * truth + 4.0 * e.error.x) << bounces;
+        EXPECT_LT(e.error.x, 0.004 * truth);
+    }
+}
+
 // What an emitter makes of a white point at the origin that faces +y, seen from the side: irradiance over pi.
 Estimate lit_point(const scene::Shape& lamp, bool both_sides, int spp, bool ask = true, const glm::dmat4& to_world = glm::dmat4(1.0),
                    const CpuOptions& options = {}) {

@@ -82,6 +82,58 @@ TEST_F(Render, OptionsHaveTheLastWord) {
     EXPECT_EQ(picture({"--exposure", "2"}).pixels, plain.pixels);  // EXR keeps the light as it is
 }
 
+TEST_F(Render, CamerasOfEachKindServeBothIntegrators) {
+    // A red ball in the middle of the picture, and another behind the camera.
+    const std::string balls = R"(
+[render]
+size = [80, 40]
+filter = "box"
+[camera]
+position = [0, 0, 3]
+projection = "PROJECTION"
+fov = 90
+extent = 8
+[material.red]
+type = "MATERIAL"
+color = "#ff0000"
+[background]
+color = "#ffffff"
+[ambient]
+color = "#ffffff"
+[[sphere]]
+center = [0, 0, 0]
+radius = 1
+material = "red"
+[[sphere]]
+center = [0, 0, 6]
+radius = 1
+material = "red"
+)";
+    const auto with = [&](const std::string& projection, const std::string& material) {
+        std::string text = balls;
+        text.replace(text.find("PROJECTION"), 10, projection);
+        text.replace(text.find("MATERIAL"), 8, material);
+        folder.write("scene.toml", text);
+        return picture({"--spp", "4"});
+    };
+    for (const std::string material : {"whitted", "diffuse"}) {
+        const auto is_red = [](const Image& image, int x, int y) {
+            const std::size_t i = 3 * static_cast<std::size_t>(y * image.width + x);
+            return image.pixels[i + 1] < 0.3f * image.pixels[i];
+        };
+        const Image straight = with("orthographic", material), round = with("panorama", material);
+        for (const Image* image : {&straight, &round}) {
+            EXPECT_TRUE(is_red(*image, 40, 20)) << material;
+            EXPECT_FALSE(is_red(*image, 20, 20)) << material;
+            EXPECT_FALSE(is_red(*image, 40, 2)) << material;
+        }
+        EXPECT_TRUE(is_red(straight, 40 + 9, 20)) << material;  // 10 pixels a metre
+        EXPECT_FALSE(is_red(straight, 40 + 11, 20)) << material;
+        EXPECT_TRUE(is_red(round, 1, 20)) << material << ": behind";
+        EXPECT_FALSE(is_red(straight, 1, 20)) << material;
+    }
+}
+
 TEST_F(Render, ExposureIsForTheDisplay) {
     ASSERT_EQ(render({"-o", "dark.png"}).status, 0);
     ASSERT_EQ(render({"-o", "bright.png", "--exposure", "1"}).status, 0);

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lancer/kernel/path_camera.h"
+#include "lancer/kernel/pixel_filter.h"
 #include "lancer/world/filters.h"
 
 namespace lancer {

@@ -5,10 +5,13 @@
 #define LANCER_KERNEL_PATH_H
 
 #include "lancer/kernel/bsdf/bsdf.h"
+#include "lancer/kernel/camera.h"
 #include "lancer/kernel/emitter.h"
 #include "lancer/kernel/intersect.h"
 #include "lancer/kernel/lighting.h"
-#include "lancer/kernel/path_camera.h"
+#include "lancer/kernel/pixel_filter.h"
+#include "lancer/kernel/sampler.h"
+#include "lancer/kernel/warp.h"
 
 NAMESPACE_BEGIN
 
@@ -19,6 +22,7 @@ struct PathState {
     Vec3 direction;
     Spectrum throughput;
     Spectrum radiance;  // found so far
+    Float weight;       // of it in the pixel: of the filter, and so maybe negative
     Vec4 nanometres;
     Float density;  // with which `direction` was drawn; 0: it could not have been found by asking an emitter
     Float squeeze;  // product of squared indices by which radiance was squeezed together, left out of Russian roulette
@@ -40,7 +44,8 @@ FN PathState start_path(IN(WorldRecord) world, Float pixel_x, Float pixel_y, UIn
     Ray ray = lens_ray(world.camera, pixel_x + Float(0.5f) + across.place, pixel_y + Float(0.5f) + down.place, lens);
     path.origin = ray.origin;
     path.direction = ray.direction;
-    path.throughput = vec4_all(across.weight * down.weight);
+    path.throughput = vec4_all(Float(1.0f));
+    path.weight = across.weight * down.weight;
     path.radiance = black();
     path.nanometres = vec4_all(Float(D_LINE));
     if (world.spectral != 0) {

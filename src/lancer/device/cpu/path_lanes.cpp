@@ -57,7 +57,7 @@ FN PathState take_path(const PathBatch& batch, std::size_t place, Mask alive) {
 
 // What the lanes of `ended` have found.
 FN void put_radiance(const kernel::WorldRecord& world, const PathState& path, const UInt& slots, Mask ended, glm::vec3* radiance) {
-    const Vec3 rgb = spectrum_to_rgb(world, path.radiance, path.nanometres, ended);
+    const Vec3 rgb = spectrum_to_rgb(world, path.radiance, path.nanometres, ended) * path.weight;
     alignas(64) float x[LANES];
     alignas(64) float y[LANES];
     alignas(64) float z[LANES];
@@ -99,7 +99,7 @@ FN std::size_t follow_vertex(const kernel::WorldRecord& world, int depth, PathSt
 
 void LANCER_FOLLOW(const kernel::WorldRecord& world, const PathRange& range, glm::vec3* radiance, RayCounts& counts) {
     RayTally tally{0, 0, 0};
-    static thread_local PathBatch batch;
+    PathBatch batch;  // on the stack, a sixth of a megabyte; filled as far as it is read
     const std::size_t width = static_cast<std::size_t>(range.x1 - range.x0);
     const std::size_t samples = static_cast<std::size_t>(range.sample_count);
     const std::size_t all = range.paths();
