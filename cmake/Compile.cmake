@@ -10,13 +10,30 @@ endif()
 
 find_program(CCACHE ccache)
 if(CCACHE)
-    set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+    # Copies of the project share what they compile: paths count from the build folder.
+    set(launcher env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=yes ${CCACHE})
+    set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()
 find_program(MOLD mold)
 if(MOLD)
     add_link_options(-fuse-ld=mold)
 endif()
+
+# lancer_define_places(NAME=PATH...  IN source...): macros for paths of this machine, in those sources that use them: all others compile to
+# the same everywhere.
+function(lancer_define_places)
+    cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "IN")
+    foreach(source IN LISTS arg_IN)
+        foreach(place IN LISTS arg_UNPARSED_ARGUMENTS)
+            string(REGEX REPLACE "^([A-Z_]+)=(.*)$" "\\1=\"\\2\"" definition "${place}")
+            file(STRINGS ${source} uses REGEX ${CMAKE_MATCH_1} LIMIT_COUNT 1)
+            if(uses)
+                set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS "${definition}")
+            endif()
+        endforeach()
+    endforeach()
+endfunction()
 
 option(LANCER_WERROR "Treat warnings as errors" OFF)
 set(LANCER_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize=")

@@ -78,6 +78,7 @@ private:
     std::filesystem::path path_;
 };
 
-inline std::filesystem::path source_folder() { return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path(); }
+// Of the whole project.
+std::filesystem::path source_folder();
 
 }  // namespace lancer::testing

@@ -23,6 +23,7 @@ int run_command_line(const std::vector<std::string>& words);
 void add_view(CLI::App& program, Work& work);
 void add_render(CLI::App& program, Work& work);
 void add_info(CLI::App& program, Work& work);
+void add_import(CLI::App& program, Work& work);
 void add_compare(CLI::App& program, Work& work);
 void add_figures(CLI::App& program, Work& work);
 void add_schema(CLI::App& program, Work& work);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lancer/app/cli/command_line.h"
+#include "lancer/app/cli/import_arguments.h"
 #include "lancer/app/exit_status.h"
 #include "lancer/import/import.h"
 #include "lancer/world/compile.h"
@@ -143,9 +144,10 @@ nlohmann::ordered_json to_json(const scene::Scene& scene, const Count& count, co
     return json;
 }
 
-int show_info(const std::string& path, bool as_json) {
+int show_info(const std::string& path, const ImportOptions& options, bool as_json) {
     Diagnostics diagnostics;
-    const std::optional<scene::Scene> scene = import_scene(path, diagnostics);
+    ImportReport report;
+    const std::optional<scene::Scene> scene = import_scene(path, options, report, diagnostics);
     std::shared_ptr<const World> world;
     if (scene) {
         world = compile_world(*scene, scene->cameras.front(), diagnostics);
@@ -171,18 +173,20 @@ void add_info(CLI::App& program, Work& work) {
     struct Arguments {
         std::string scene;
         bool json = false;
+        ImportOptions options;
     };
     CLI::App* app = program.add_subcommand("info", "Tell what is in a scene, how big it is, and what is odd about it");
     const auto arguments = std::make_shared<Arguments>();
-    app->add_option("SCENE", arguments->scene, "The scene: a .toml, .obj or .ply file")->type_name("");
+    app->add_option("SCENE", arguments->scene, scene_argument_help())->type_name("");
     app->add_flag("--json", arguments->json, "For programs");
+    add_import_options(*app, arguments->options);
     app->footer("Example:\n  lancer info scenes/report/figure-1.toml");
     app->callback([app, arguments, &work] {
         work = [app, arguments]() -> int {
             if (arguments->scene.empty()) {
                 return refuse("which scene? For example: lancer info scene.toml", *app);
             }
-            return show_info(arguments->scene, arguments->json);
+            return show_info(arguments->scene, arguments->options, arguments->json);
         };
     });
 }

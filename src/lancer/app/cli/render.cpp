@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lancer/app/cli/command_line.h"
+#include "lancer/app/cli/import_arguments.h"
 #include "lancer/app/cli/interrupt.h"
 #include "lancer/app/cli/outputs.h"
 #include "lancer/app/cli/progress.h"
@@ -139,7 +140,9 @@ int render_scene(const CLI::App& app, Arguments arguments) {
     }
     Times times;
     const auto load_start = Clock::now();
-    std::optional<scene::Scene> scene = import_scene(file, diagnostics);
+    ImportReport report;
+    std::optional<scene::Scene> scene = import_scene(file, arguments.render.import, report, diagnostics);
+    tell_report(report, file, diagnostics);
     times.load = seconds_since(load_start);
     const auto prepare_start = Clock::now();
     std::optional<Prepared> prepared;
@@ -190,7 +193,7 @@ int render_scene(const CLI::App& app, Arguments arguments) {
 void add_render(CLI::App& program, Work& work) {
     CLI::App* app = program.add_subcommand("render", "Render a scene into picture files, without a window");
     const auto arguments = std::make_shared<Arguments>();
-    app->add_option("SCENE", arguments->files, "The scene: a .toml, .obj or .ply file")->type_name("");
+    app->add_option("SCENE", arguments->files, scene_argument_help())->type_name("");
     app->add_option("-o,--output", arguments->outputs, "Where the picture goes: .png .jpg .exr .hdr or .tif; may be given several times")
         ->type_name("FILE")
         ->allow_extra_args(false);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "lancer/app/cli/import_arguments.h"
 #include "lancer/render/render.h"
 #include "lancer/world/compile.h"
 
@@ -43,10 +44,11 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
     add_choice(app, "--trace", arguments.trace, {"auto", "lanes", "bvh"},
                "How rays find what they hit: all shapes at once, or a bounding volume hierarchy. The picture is the same")
         ->group("Machine");
+    add_import_options(app, arguments.import);
 }
 
 std::vector<std::string> words_of(const RenderArguments& arguments) {
-    std::vector<std::string> words;
+    std::vector<std::string> words = words_of(arguments.import);
     const auto add = [&](const char* name, const auto& value) {
         if (value) {
             words.push_back(name);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lancer/app/cli/values.h"
+#include "lancer/import/import.h"
 
 namespace CLI {
 class App;
@@ -15,6 +16,7 @@ namespace lancer::app {
 
 // What is not given stays as the scene says.
 struct RenderArguments {
+    ImportOptions import;
     std::optional<ImageSize> size;
     std::optional<std::string> camera;
     std::optional<std::string> integrator;

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "lancer/app/cli/command_line.h"
+#include "lancer/app/cli/import_arguments.h"
 #include "lancer/app/window/show.h"
 
 namespace lancer::app {
@@ -15,7 +16,7 @@ void add_view(CLI::App& program, Work& work) {
     };
     CLI::App* app = program.add_subcommand("view", "Show a scene in a window: S saves lancer.png, Esc closes");
     const auto arguments = std::make_shared<Arguments>();
-    app->add_option("SCENE", arguments->scene, "The scene: a .toml, .obj or .ply file")->type_name("");
+    app->add_option("SCENE", arguments->scene, scene_argument_help())->type_name("");
     add_render_options(*app, arguments->render);
     app->footer(
         "Where there is no display the picture is written to lancer.png instead.\n\n"

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "lancer/app/cli/command_line.h"
+#include "lancer/app/cli/import_arguments.h"
 #include "lancer/app/cli/interrupt.h"
 #include "lancer/app/cli/outputs.h"
 #include "lancer/app/cli/progress.h"
@@ -71,7 +72,9 @@ int show_default_scene(const std::optional<int>& threads) {
 
 int show_scene(const std::string& path, const RenderArguments& arguments) {
     Diagnostics diagnostics;
-    std::optional<scene::Scene> scene = import_scene(path, diagnostics);
+    ImportReport report;
+    std::optional<scene::Scene> scene = import_scene(path, arguments.import, report, diagnostics);
+    tell_report(report, path, diagnostics);
     std::optional<Prepared> prepared;
     if (scene) {
         prepared = prepare(std::move(*scene), arguments, render_command(path, arguments), diagnostics);
