@@ -18,8 +18,8 @@ TEST(Help, IsSpeltInManyWays) {
     const Folder folder;
     const Finished plain = run_lancer(folder, {"--help"});
     EXPECT_EQ(plain.status, 0);
-    for (const char* word :
-         {"view", "render", "info", "compare", "figures", "schema", "bench", "--threads", "--render-all", "Example:", "Exit status"}) {
+    for (const char* word : {"view", "render", "info", "import", "compare", "figures", "schema", "bench", "--threads", "--render-all",
+                             "Example:", "Exit status"}) {
         EXPECT_THAT(plain.out, HasSubstr(word));
     }
     for (const char* spelling : {"-help", "-h"}) {
@@ -31,7 +31,7 @@ TEST(Help, IsSpeltInManyWays) {
 
 TEST(Help, ShowsAnExampleForEachSubcommand) {
     const Folder folder;
-    for (const char* name : {"view", "render", "info", "compare", "figures", "schema", "bench"}) {
+    for (const char* name : {"view", "render", "info", "import", "compare", "figures", "schema", "bench"}) {
         const Finished help = run_lancer(folder, {name, "--help"});
         EXPECT_EQ(help.status, 0) << name;
         EXPECT_THAT(help.out, HasSubstr(std::string("Example:\n  lancer ") + name));
@@ -127,8 +127,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Files, Mistakes,
-    testing::Values(Mistake{{"render"}, "which scene?"}, Mistake{{"view"}, "which scene?"}, Mistake{{"info"}, "which scene?"},
-                    Mistake{{"render", "scene.toml"}, "where shall the picture go?"},
+    testing::Values(Mistake{{"render"}, "which scene?"}, Mistake{{"view"}, "which scene?"}, Mistake{{"info"}, "which file?"},
+                    Mistake{{"import"}, "which scene?"}, Mistake{{"render", "scene.toml"}, "where shall the picture go?"},
                     Mistake{{"render", "scene.toml", "-o"}, "--output needs a value"},
                     Mistake{{"render", "scene.toml", "other.toml", "-o", "old.png"}, "one scene at a time"},
                     Mistake{{"render", "missing.toml", "-o", "old.png"}, "missing.toml"}, Mistake{{"view", "missing.toml"}, "missing.toml"},

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "lancer/world/albedo.h"
+#include "lancer/world/albedo_table.h"
 
 namespace lancer::statistics {
 namespace {

@@ -83,17 +83,6 @@ void choose_lights(scene::Scene& scene, const std::vector<std::string>& names, D
     scene.lights = std::move(kept);
 }
 
-std::string antialiasing_in_words(const scene::Scene& scene) {
-    const scene::RenderSettings& settings = scene.settings;
-    if (scene::chosen_integrator(scene) == "path") {
-        return fmt::format("{} samples a pixel", settings.spp);
-    }
-    if (settings.antialiasing == scene::Antialiasing::adaptive) {
-        return fmt::format("adaptive, threshold {}, depth {}", settings.adaptive_threshold, settings.adaptive_depth);
-    }
-    return fmt::format("{0} x {0} samples a pixel", settings.ssaa);
-}
-
 Metadata describe(const scene::Scene& scene, const std::string& command) {
     const scene::RenderSettings& settings = scene.settings;
     return {
@@ -119,6 +108,17 @@ Tracer tracer_named(const std::optional<std::string>& name) {
 }
 
 }  // namespace
+
+std::string antialiasing_in_words(const scene::Scene& scene) {
+    const scene::RenderSettings& settings = scene.settings;
+    if (scene::chosen_integrator(scene) == "path") {
+        return fmt::format("{} samples a pixel", settings.spp);
+    }
+    if (settings.antialiasing == scene::Antialiasing::adaptive) {
+        return fmt::format("adaptive, threshold {}, depth {}", settings.adaptive_threshold, settings.adaptive_depth);
+    }
+    return fmt::format("{0} x {0} samples a pixel", settings.ssaa);
+}
 
 void apply_arguments(scene::Scene& scene, const RenderArguments& arguments, Diagnostics& diagnostics) {
     scene::RenderSettings& settings = scene.settings;

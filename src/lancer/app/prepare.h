@@ -21,6 +21,9 @@ struct Prepared {
     Metadata metadata;  // for every picture made of it
 };
 
+// How many samples a pixel gets, and where.
+std::string antialiasing_in_words(const scene::Scene& scene);
+
 // Puts what the arguments say into the scene: its settings, one camera, only the lights that were named.
 void apply_arguments(scene::Scene& scene, const RenderArguments& arguments, Diagnostics& diagnostics);
 

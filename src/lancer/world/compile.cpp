@@ -76,8 +76,6 @@ void compile_physics(const scene::Scene& scene, World& world) {
         for (int i = 0; i < kernel::WAVELENGTH_COUNT; ++i) {
             world.observer.push_back(to_float(sensor_weight(static_cast<double>(kernel::FIRST_WAVELENGTH) + i)));
         }
-        const auto table = upsampling_table();
-        world.upsampling.assign(table.begin(), table.end());
     }
 }
 

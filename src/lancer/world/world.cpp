@@ -1,6 +1,7 @@
 #include "lancer/world/world.h"
 
-#include "lancer/world/albedo.h"
+#include "lancer/spectrum/upsample.h"
+#include "lancer/world/albedo_table.h"
 
 namespace lancer {
 
@@ -35,7 +36,7 @@ kernel::WorldRecord World::record() const {
     r.emitters = emitters.data();
     r.distributions = distributions.data();
     r.curves = curves.data();
-    r.upsampling = upsampling.data();
+    r.upsampling = upsampling_table().data();
     r.albedo = microfacet_albedo_table().data();
     r.filter_places = filter_places.data();
     r.observer = observer.data();
@@ -79,8 +80,8 @@ kernel::WorldRecord World::record() const {
 std::size_t World::memory() const {
     return bytes(spheres) + bytes(boxes) + bytes(planes) + bytes(placed) + bytes(triangles) + bytes(meshes) + bytes(instances) +
            bytes(objects) + bytes(positions) + bytes(normals) + bytes(uvs) + bytes(indices) + bytes(textures) + bytes(texels) +
-           bytes(materials) + bytes(media) + bytes(surfaces) + bytes(emitters) + bytes(distributions) + bytes(curves) + bytes(upsampling) +
-           bytes(observer) + bytes(lights) + bytes(bands);
+           bytes(materials) + bytes(media) + bytes(surfaces) + bytes(emitters) + bytes(distributions) + bytes(curves) + bytes(observer) +
+           bytes(lights) + bytes(bands);
 }
 
 bool World::is_small() const {

@@ -38,7 +38,6 @@ public:
     std::vector<kernel::EmitterRecord> emitters;
     std::vector<float> distributions;
     std::vector<float> curves;
-    std::vector<float> upsampling;
     std::vector<float> filter_places;
     std::vector<kernel::vec3> observer;
     std::vector<kernel::LightRecord> lights;

@@ -1,4 +1,5 @@
-// lancer info SCENE
+// lancer info FILE
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -10,8 +11,13 @@
 
 #include "lancer/app/cli/command_line.h"
 #include "lancer/app/cli/import_arguments.h"
+#include "lancer/app/cli/info_image.h"
 #include "lancer/app/exit_status.h"
+#include "lancer/app/inspect/oddities.h"
+#include "lancer/app/prepare.h"
+#include "lancer/base/file.h"
 #include "lancer/import/import.h"
+#include "lancer/scene/bounds.h"
 #include "lancer/world/compile.h"
 
 namespace lancer::app {
@@ -72,10 +78,17 @@ std::string bytes_in_words(std::size_t bytes) {
     return number < 1e6 ? fmt::format("{:.1f} kB", number / 1e3) : fmt::format("{:.1f} MB", number / 1e6);
 }
 
-std::string antialiasing_in_words(const scene::RenderSettings& settings) {
-    return settings.antialiasing == scene::Antialiasing::adaptive
-               ? fmt::format("adaptive anti-aliasing (threshold {}, depth {})", settings.adaptive_threshold, settings.adaptive_depth)
-               : fmt::format("{0} x {0} samples a pixel", settings.ssaa);
+std::string in_words(const scene::Bounds& bounds) {
+    const glm::dvec3 size = bounds.high - bounds.low;
+    return bounds.empty()
+               ? "empty"
+               : fmt::format("{:.4g} x {:.4g} x {:.4g} m, from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g})", size.x, size.y,
+                             size.z, bounds.low.x, bounds.low.y, bounds.low.z, bounds.high.x, bounds.high.y, bounds.high.z);
+}
+
+// How bright a light is: in physical scenes its power, else its share of the light.
+double strength(const scene::Light& light) {
+    return light.power ? (light.power->x + light.power->y + light.power->z) / 3.0 : light.intensity;
 }
 
 void print_text(const scene::Scene& scene, const Count& count, const World& world) {
@@ -83,8 +96,10 @@ void print_text(const scene::Scene& scene, const Count& count, const World& worl
     const auto row = [](const char* name, const std::string& text) { fmt::print("{:<10} {}\n", name, text); };
     row("scene", scene.file);
     row("hash", scene.hash);
-    row("picture", fmt::format("{} x {}, {}, {}", settings.width, settings.height, antialiasing_in_words(settings),
+    row("picture", fmt::format("{} x {}, {}, {}", settings.width, settings.height, antialiasing_in_words(scene),
                                plural(static_cast<std::uint64_t>(scene::bounces_of(scene)), "bounce")));
+    row("light", scene::chosen_integrator(scene));
+    row("bounds", in_words(scene::bounds(scene)));
     std::vector<std::string> cameras;
     for (const scene::Camera& camera : scene.cameras) {
         cameras.push_back(fmt::format("{} ({} degrees)", camera.name.empty() ? "unnamed" : camera.name, camera.fov));
@@ -103,11 +118,13 @@ void print_text(const scene::Scene& scene, const Count& count, const World& worl
     if (!scene.groups.empty()) {
         row("groups", fmt::format("{}", scene.groups.size()));
     }
-    row("materials", fmt::format("{}", scene.materials.size()));
+    const auto lamps = static_cast<std::size_t>(
+        std::count_if(scene.materials.begin(), scene.materials.end(), [](const scene::Material& m) { return m.emission.has_value(); }));
+    row("materials", fmt::format("{}{}", scene.materials.size(), lamps > 0 ? fmt::format(", {} of them shine", lamps) : ""));
     std::vector<std::string> lights;
     for (const scene::Light& light : scene.lights) {
         lights.push_back(
-            fmt::format("{} {} ({:.3g})", light_names[light.model.index()], light.name.empty() ? "light" : light.name, light.intensity));
+            fmt::format("{} {} ({:.3g})", light_names[light.model.index()], light.name.empty() ? "light" : light.name, strength(light)));
     }
     row("lights", lights.empty() ? "none" : fmt::format("{}", fmt::join(lights, ", ")));
     row("memory", fmt::format("{} of tables", bytes_in_words(world.memory())));
@@ -121,7 +138,7 @@ nlohmann::ordered_json to_json(const scene::Scene& scene, const Count& count, co
         {"width", scene.settings.width},
         {"height", scene.settings.height},
         {"bounces", scene::bounces_of(scene)},
-        {"antialiasing", antialiasing_in_words(scene.settings)},
+        {"antialiasing", antialiasing_in_words(scene)},
     };
     for (const scene::Camera& camera : scene.cameras) {
         json["cameras"].push_back({{"name", camera.name}, {"fov", camera.fov}});
@@ -130,11 +147,14 @@ nlohmann::ordered_json to_json(const scene::Scene& scene, const Count& count, co
         json["shapes"][shape_names[i]] = count.shapes[i];
     }
     json["triangles"] = count.triangles;
+    if (const scene::Bounds bounds = scene::bounds(scene); !bounds.empty()) {
+        json["bounds"] = {{"low", {bounds.low.x, bounds.low.y, bounds.low.z}}, {"high", {bounds.high.x, bounds.high.y, bounds.high.z}}};
+    }
     json["groups"] = scene.groups.size();
     json["materials"] = scene.materials.size();
     json["lights"] = nlohmann::ordered_json::array();
     for (const scene::Light& light : scene.lights) {
-        json["lights"].push_back({{"name", light.name}, {"type", light_names[light.model.index()]}, {"intensity", light.intensity}});
+        json["lights"].push_back({{"name", light.name}, {"type", light_names[light.model.index()]}, {"intensity", strength(light)}});
     }
     json["bytes"] = world.memory();
     json["messages"] = nlohmann::ordered_json::array();
@@ -150,6 +170,7 @@ int show_info(const std::string& path, const ImportOptions& options, bool as_jso
     const std::optional<scene::Scene> scene = import_scene(path, options, report, diagnostics);
     std::shared_ptr<const World> world;
     if (scene) {
+        find_oddities(*scene, diagnostics);
         world = compile_world(*scene, scene->cameras.front(), diagnostics);
     }
     if (!as_json || world == nullptr) {
@@ -175,16 +196,21 @@ void add_info(CLI::App& program, Work& work) {
         bool json = false;
         ImportOptions options;
     };
-    CLI::App* app = program.add_subcommand("info", "Tell what is in a scene, how big it is, and what is odd about it");
+    CLI::App* app = program.add_subcommand("info", "Tell what is in a scene, a mesh or a picture, how big it is, and what is odd about it");
     const auto arguments = std::make_shared<Arguments>();
-    app->add_option("SCENE", arguments->scene, scene_argument_help())->type_name("");
+    app->add_option("FILE", arguments->scene, scene_argument_help() + "; or a picture")->type_name("");
     app->add_flag("--json", arguments->json, "For programs");
     add_import_options(*app, arguments->options);
     app->footer("Example:\n  lancer info scenes/report/figure-1.toml");
     app->callback([app, arguments, &work] {
         work = [app, arguments]() -> int {
             if (arguments->scene.empty()) {
-                return refuse("which scene? For example: lancer info scene.toml", *app);
+                return refuse("which file? For example: lancer info scene.toml", *app);
+            }
+            const std::vector<std::string> scenes = scene_endings();
+            const std::string ending = file_ending(arguments->scene);
+            if (std::find(scenes.begin(), scenes.end(), ending) == scenes.end()) {
+                return show_image_info(arguments->scene, arguments->json);
             }
             return show_info(arguments->scene, arguments->options, arguments->json);
         };

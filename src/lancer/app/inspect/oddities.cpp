@@ -1,0 +1,196 @@
+#include "lancer/app/inspect/oddities.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "lancer/app/inspect/mesh_facts.h"
+#include "lancer/scene/bounds.h"
+#include "lancer/world/flatten.h"
+
+namespace lancer::app {
+
+namespace {
+
+constexpr double largest_scene = 1000.0;  // metres across; more is a landscape, or millimetres
+constexpr double smallest_scene = 0.002;
+
+bool lies_in(const scene::Sphere& sphere, const glm::dvec3& p) { return glm::distance(sphere.center, p) < sphere.radius; }
+
+bool lies_in(const scene::Box& box, const glm::dvec3& p) {
+    return glm::all(glm::greaterThan(p, box.min)) && glm::all(glm::lessThan(p, box.max));
+}
+
+bool lies_in_round(const glm::dvec3& from, const glm::dvec3& to, double radius, double top_radius, const glm::dvec3& p) {
+    const glm::dvec3 axis = to - from;
+    const double share = glm::dot(p - from, axis) / glm::dot(axis, axis);
+    return share > 0.0 && share < 1.0 && glm::distance(p, from + axis * share) < radius + (top_radius - radius) * share;
+}
+
+bool lies_in(const scene::Cylinder& c, const glm::dvec3& p) { return c.capped && lies_in_round(c.from, c.to, c.radius, c.radius, p); }
+bool lies_in(const scene::Cone& c, const glm::dvec3& p) { return c.capped && lies_in_round(c.from, c.to, c.radius, c.top_radius, p); }
+bool lies_in(const scene::Plane&, const glm::dvec3&) { return false; }
+bool lies_in(const scene::Disk&, const glm::dvec3&) { return false; }
+
+class Oddities {
+public:
+    Oddities(const scene::Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics), objects_(flatten(scene)) {}
+
+    void find() {
+        for (const FlatObject& flat : objects_) {
+            look_at_mesh(flat);
+        }
+        for (const scene::Material& material : scene_.materials) {
+            look_at_material(material);
+        }
+        for (const scene::Light& light : scene_.lights) {
+            look_at_light(light);
+        }
+        look_at_cameras();
+        look_at_size();
+    }
+
+private:
+    const scene::Material& material_of(const FlatObject& flat) const { return scene_.materials[static_cast<std::size_t>(flat.material)]; }
+
+    static bool is_clear(const scene::Material& material) {
+        if (const auto* glass = std::get_if<scene::DielectricMaterial>(&material.model)) {
+            return !glass->thin;
+        }
+        if (const auto* principled = std::get_if<scene::PrincipledMaterial>(&material.model)) {
+            return principled->transmission > 0.0 && !principled->thin;
+        }
+        if (const auto* whitted = std::get_if<scene::WhittedMaterial>(&material.model)) {
+            return whitted->transparency > 0.0;
+        }
+        return false;
+    }
+
+    const MeshFacts& facts(const scene::TriangleMesh& mesh) {
+        const auto [found, is_new] = facts_.try_emplace(&mesh);
+        if (is_new) {
+            found->second = examine(mesh);
+        }
+        return found->second;
+    }
+
+    static std::string name_of(const scene::Object& object) { return object.name.empty() ? "a mesh" : "\"" + object.name + "\""; }
+
+    // Each object once, however often it is placed.
+    void look_at_mesh(const FlatObject& flat) {
+        const auto* mesh = std::get_if<scene::Mesh>(&flat.object->shape);
+        if (mesh == nullptr || !told_.insert(flat.object).second) {
+            return;
+        }
+        const MeshFacts& facts = this->facts(*mesh->data);
+        if (facts.closed && facts.volume < 0.0) {
+            diagnostics_.warning(flat.object->position, fmt::format("the faces of {} point inwards", name_of(*flat.object)));
+        } else if (!facts.closed && is_clear(material_of(flat))) {
+            diagnostics_.warning(
+                flat.object->position,
+                fmt::format("{} is a body of glass with holes: light that enters may never leave it", name_of(*flat.object)));
+        }
+    }
+
+    template <class Color>
+    void look_at_color(const Color& color, const scene::Material& material) {
+        if (const auto* rgb = std::get_if<scene::Rgb>(&color); rgb != nullptr && std::max({rgb->x, rgb->y, rgb->z}) > 1.0) {
+            diagnostics_.warning(material.position,
+                                 fmt::format("material {} reflects more light than it gets: its colour is above 1", said(material.name)));
+        }
+    }
+
+    static std::string said(const std::string& name) { return name.empty() ? "without a name" : "\"" + name + "\""; }
+
+    void look_at_material(const scene::Material& material) {
+        std::visit([&](const auto& model) { look_at_color(model.color, material); }, material.model);
+        if (material.emission && !(material.emission->strength > 0.0)) {
+            diagnostics_.warning(material.position, fmt::format("material {} shines with a strength of 0", said(material.name)));
+        }
+    }
+
+    // The opaque closed body around a point, or null.
+    const FlatObject* body_around(const glm::dvec3& point) {
+        for (const FlatObject& flat : objects_) {
+            const glm::dvec3 local(glm::inverse(flat.to_world) * glm::dvec4(point, 1.0));
+            const bool inside = std::visit(
+                [&](const auto& shape) {
+                    if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, scene::Mesh>) {
+                        return facts(*shape.data).closed && lies_inside(*shape.data, local);
+                    } else {
+                        return lies_in(shape, local);
+                    }
+                },
+                flat.object->shape);
+            if (inside && !is_clear(material_of(flat))) {
+                return &flat;
+            }
+        }
+        return nullptr;
+    }
+
+    void look_at_light(const scene::Light& light) {
+        const scene::Rgb power = light.power ? *light.power : light.color * light.intensity;
+        if (!(std::max({power.x, power.y, power.z}) > 0.0)) {
+            diagnostics_.warning(light.position, fmt::format("light {} gives no light", said(light.name)));
+        }
+        const auto* point = std::get_if<scene::PointLight>(&light.model);
+        const auto* spot = std::get_if<scene::SpotLight>(&light.model);
+        if (point == nullptr && spot == nullptr) {
+            return;
+        }
+        const FlatObject* body = body_around(point != nullptr ? point->position : spot->position);
+        // In a room somebody is there to see its light.
+        const bool room = std::any_of(scene_.cameras.begin(), scene_.cameras.end(),
+                                      [&](const scene::Camera& camera) { return body_around(camera.position) == body; });
+        if (body != nullptr && !room) {
+            diagnostics_.warning(light.position, fmt::format("light {} is shut in by an opaque body", said(light.name)));
+        }
+    }
+
+    void look_at_cameras() {
+        for (const scene::Camera& camera : scene_.cameras) {
+            const FlatObject* body = body_around(camera.position);
+            // A room is a body around its cameras: seen from within it is lit.
+            const bool room = body != nullptr && std::any_of(scene_.lights.begin(), scene_.lights.end(), [&](const scene::Light& light) {
+                                  const auto* point = std::get_if<scene::PointLight>(&light.model);
+                                  return point != nullptr && body_around(point->position) == body;
+                              });
+            if (body != nullptr && !room) {
+                diagnostics_.warning(camera.source, fmt::format("camera {} is inside of an opaque body", said(camera.name)));
+            }
+        }
+    }
+
+    void look_at_size() {
+        const scene::Bounds all = scene::bounds(scene_);
+        if (all.empty()) {
+            return;
+        }
+        const double across = glm::distance(all.low, all.high);
+        if (across > largest_scene) {
+            diagnostics_.warning({scene_.file, 0, 0},
+                                 fmt::format("the scene is {:.3g} m across: were millimetres taken for metres?", across));
+        } else if (across < smallest_scene) {
+            diagnostics_.warning({scene_.file, 0, 0},
+                                 fmt::format("the scene is {:.3g} m across: were metres taken for millimetres?", across));
+        }
+    }
+
+    const scene::Scene& scene_;
+    Diagnostics& diagnostics_;
+    std::vector<FlatObject> objects_;
+    std::map<const scene::TriangleMesh*, MeshFacts> facts_;
+    std::set<const scene::Object*> told_;
+};
+
+}  // namespace
+
+void find_oddities(const scene::Scene& scene, Diagnostics& diagnostics) { Oddities(scene, diagnostics).find(); }
+
+}  // namespace lancer::app

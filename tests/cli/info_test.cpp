@@ -1,0 +1,98 @@
+// lancer info and import: what is in a file, and what is odd about it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "lancer/image/image.h"
+
+namespace lancer::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+const std::string view = "[camera]\nposition = [0, 0, 9]\n[[light]]\ntype = \"point\"\nposition = [0, 8, 2]\n";  // lines 1 to 5
+
+struct Odd {
+    std::string name;
+    std::string text;
+    std::string said;  // empty: nothing is odd
+};
+
+class Oddities : public testing::TestWithParam<Odd> {};
+
+TEST_P(Oddities, AreToldWithTheirPlace) {
+    const Folder folder;
+    folder.write("scene.toml", GetParam().text);
+    const Finished finished = run_lancer(folder, {"info", "scene.toml"});
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    if (GetParam().said.empty()) {
+        EXPECT_THAT(finished.err, IsEmpty());
+    } else {
+        EXPECT_THAT(finished.err, HasSubstr(GetParam().said));
+    }
+}
+
+// A tetrahedron with one corner at the origin; with its faces turned round it points inwards.
+std::string tetrahedron(const std::string& triangles, const std::string& material) {
+    return view + "[[mesh]]\nname = \"tetra\"\npositions = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]\ntriangles = " + triangles +
+           "\nmaterial = { type = \"" + material + "\" }\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, Oddities,
+    testing::Values(Odd{"nothing", view + "[[sphere]]\n", ""},
+                    Odd{"outwards", tetrahedron("[[0,2,1],[0,1,3],[0,3,2],[1,2,3]]", "whitted"), ""},
+                    Odd{"inwards", tetrahedron("[[0,1,2],[0,3,1],[0,2,3],[1,3,2]]", "whitted"),
+                        "scene.toml:6:1: warning: the faces of \"tetra\" point inwards"},
+                    Odd{"open_is_fine_when_opaque", tetrahedron("[[0,2,1],[0,1,3]]", "whitted"), ""},
+                    Odd{"open_glass", tetrahedron("[[0,2,1],[0,1,3]]", "whitted\", transparency = 0.9, refraction = \"N-BK7"),
+                        "\"tetra\" is a body of glass with holes"},
+                    Odd{"camera_inside", view + "[[box]]\nmin = [-1, -1, 8]\nmax = [1, 1, 10]\n",
+                        "scene.toml:1:1: warning: camera without a name is inside"},
+                    Odd{"camera_in_a_lit_room", view + "[[box]]\nmin = [-10, -10, -10]\nmax = [10, 10, 10]\n", ""},
+                    Odd{"light_inside", view + "[[sphere]]\ncenter = [0, 8, 2]\n",
+                        "scene.toml:3:1: warning: light without a name is shut in"},
+                    Odd{"millimetres", view + "[[sphere]]\ncenter = [0, 0, -5000]\nradius = 2000\n", "were millimetres taken for metres?"}),
+    [](const auto& odd) { return odd.param.name; });
+
+TEST(Info, OfAPicture) {
+    const Folder folder;
+    Image image{2, 1, 3, {0.0f, 0.5f, 1.0f, 4.0f, 0.25f, 1.0f}};
+    write_image(folder.file("picture.exr"), image, {{"lancer:scene", "x.toml"}});
+    const Finished text = run_lancer(folder, {"info", "picture.exr"});
+    EXPECT_EQ(text.status, 0) << text.err;
+    EXPECT_THAT(text.out, HasSubstr("2 x 1"));
+    EXPECT_THAT(text.out, HasSubstr("0 to 4, mean 2"));
+    EXPECT_THAT(text.out, HasSubstr("x.toml"));
+    const nlohmann::json json = nlohmann::json::parse(run_lancer(folder, {"info", "picture.exr", "--json"}).out);
+    EXPECT_EQ(json["width"], 2);
+    EXPECT_EQ(json["channels"].size(), 3u);
+}
+
+TEST(Info, OfWhatIsNoPictureSaysSo) {
+    const Folder folder;
+    folder.write("picture.exr", "nothing of the kind");
+    const Finished finished = run_lancer(folder, {"info", "picture.exr"});
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_THAT(finished.err, HasSubstr("picture.exr"));
+}
+
+TEST(Import, TellsWhetherAFileCanBeRead) {
+    const Folder folder;
+    folder.write("scene.toml", view + "[[sphere]]\n");
+    const Finished good = run_lancer(folder, {"import", "scene.toml"});
+    EXPECT_EQ(good.status, 0);
+    EXPECT_THAT(good.out, HasSubstr("scene.toml can be read"));
+    const Finished none = run_lancer(folder, {"import", "none.toml", "--json"});
+    EXPECT_EQ(none.status, 2);
+    EXPECT_THAT(nlohmann::json::parse(none.out)["messages"][0].get<std::string>(), HasSubstr("no such file"));
+    const Finished define = run_lancer(folder, {"import", "scene.toml", "-D", "nothing"});
+    EXPECT_EQ(define.status, 2);
+    EXPECT_THAT(define.err, HasSubstr("expected NAME=VALUE"));
+}
+
+}  // namespace
+}  // namespace lancer::test
