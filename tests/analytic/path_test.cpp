@@ -113,13 +113,8 @@ TEST(Path, AFilterWithNegativeLobesLosesNoLight) {
     }
 }
 
-// What an emitter makes of a white point at the origin that faces +y, seen from the side: irradiance over pi.
-Estimate lit_point(const scene::Shape& lamp, bool both_sides, int spp, bool ask = true, const glm::dmat4& to_world = glm::dmat4(1.0),
-                   const CpuOptions& options = {}) {
-    Physical world(1);
-    world.add(scene::Disk{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.01}, world.material(diffuse(1.0)));
-    world.add(lamp, world.material(diffuse(0.0, 1.0, both_sides)), to_world);
-    world.look({0.0, 0.5, 5.0}, {0.0, -0.1, -1.0});
+// With or without asking lamps for their light.
+Estimate asked_or_met(const Physical& world, bool ask, int spp, const CpuOptions& options = {}) {
     auto compiled = std::const_pointer_cast<World>(world.compile());
     if (!ask) {
         compiled->emitters.clear();
@@ -128,6 +123,19 @@ Estimate lit_point(const scene::Shape& lamp, bool both_sides, int spp, bool ask 
         }
     }
     return estimate(compiled, world.scene.settings.width, spp, options);
+}
+
+// What an emitter makes of a white point at the origin that faces +y, seen from the side: irradiance over pi.
+Estimate lit_point(const scene::Shape& lamp, bool both_sides, int spp, bool ask = true, const glm::dmat4& to_world = glm::dmat4(1.0),
+                   const CpuOptions& options = {}, const scene::Texture& texture = scene::Rgb(1.0), bool rgb = true) {
+    Physical world(1);
+    world.scene.settings.rgb = rgb;
+    world.add(scene::Disk{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.01}, world.material(diffuse(1.0)));
+    scene::Material shining = diffuse(0.0, 1.0, both_sides);
+    shining.emission->radiance = texture;
+    world.add(lamp, world.material(shining), to_world);
+    world.look({0.0, 0.5, 5.0}, {0.0, -0.1, -1.0});
+    return asked_or_met(world, ask, spp, options);
 }
 
 TEST(Path, IrradianceUnderASphereADiskAndASquare) {
@@ -261,6 +269,78 @@ INSTANTIATE_TEST_SUITE_P(All, LampShapes,
                                          Lamp{"cone", scene::Cone{{0.0, 0.0, 0.0}, {0.2, 1.0, 0.0}, 0.6, 0.1}, false, above},
                                          Lamp{"triangles", rectangle({-0.5f, 1.2f, -0.3f}, {1.0f, 0.3f, 0.0f}, {0.0f, 0.2f, 1.0f}), true}),
                          [](const auto& case_) { return std::string(case_.param.name); });
+
+// A texture that gives light: each lamp shows it to those who ask where it shows it to those who look. Solid cells, cells of uv, and an image that
+// is brighter than 1.
+TEST_P(LampShapes, TexturedAskedOrMet) {
+    const Lamp& lamp = GetParam();
+    const scene::Rgb dark(0.2, 0.0, 0.1);
+    for (const bool solid : {true, false}) {
+        const scene::Checker squares{scene::Rgb(9.0, 3.0, 0.5), dark, 0.3, solid};
+        const Estimate asked = lit_point(lamp.shape, lamp.both_sides, 16384, true, lamp.to_world, {}, squares, !solid);
+        const Estimate met = lit_point(lamp.shape, lamp.both_sides, 65536, false, lamp.to_world, {}, squares, !solid);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_GT(asked.mean[c], 0.0002);
+            EXPECT_NEAR(asked.mean[c], met.mean[c], 4.5 * std::hypot(asked.error[c], met.error[c])) << solid << " channel " << c;
+        }
+        EXPECT_LT(asked.error.x / asked.mean.x, 0.03);
+    }
+}
+
+TEST(Path, TexturedLampsOfManyTrianglesAskedOrMet) {
+    // More triangles than are kept apart, and a texture that leaves most of them dark.
+    auto data = std::make_shared<scene::TriangleMesh>();
+    constexpr unsigned side = 12;
+    for (unsigned i = 0; i <= side; ++i) {
+        for (unsigned j = 0; j <= side; ++j) {
+            const float x = static_cast<float>(i) / side, z = static_cast<float>(j) / side;
+            data->positions.push_back({x * x - 0.4f, 1.0f + 0.3f * x * z, z - 0.5f});
+            data->uvs.push_back({x, z});
+        }
+    }
+    for (unsigned i = 0; i < side; ++i) {
+        for (unsigned j = 0; j < side; ++j) {
+            const unsigned a = i * (side + 1) + j, b = a + side + 1;
+            data->triangles.push_back({a, a + 1, b});
+            data->triangles.push_back({b, a + 1, b + 1});
+        }
+    }
+    const scene::Checker squares{scene::Rgb(5.0), scene::Rgb(0.01), 0.25, false};
+    const Estimate asked = lit_point(scene::Mesh{data, false}, true, 16384, true, glm::dmat4(1.0), {}, squares);
+    const Estimate met = lit_point(scene::Mesh{data, false}, true, 131072, false, glm::dmat4(1.0), {}, squares);
+    EXPECT_NEAR(asked.mean.x, met.mean.x, 4.5 * std::hypot(asked.error.x, met.error.x));
+    EXPECT_LT(asked.error.x / asked.mean.x, 0.005);
+}
+
+TEST(Path, LampsInsideAnAbsorbingBody) {
+    // All within a body that does not bend light: the way to the camera and the way to the lamp are both dimmed.
+    const glm::dvec3 absorption(0.3, 0.8, 1.5);
+    const auto inside = [&](bool point, bool ask, int spp) {
+        Physical world(3);
+        scene::Material body;
+        body.model = scene::DielectricMaterial{.refraction = 1.0, .absorption = absorption};
+        world.add(scene::Box{{-2.0, -1.0, -2.0}, {2.0, 3.0, 2.0}}, world.material(body));
+        world.add(scene::Disk{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.5}, world.material(diffuse(1.0)));
+        if (point) {
+            world.scene.lights.push_back({"", scene::PointLight{{0.0, 1.5, 0.0}}, scene::Rgb(1.0), 0.0, {}, scene::Rgb(2.0)});
+        } else {
+            world.add(scene::Sphere{{0.0, 1.5, 0.0}, 0.6}, world.material(diffuse(0.0, 1.0)));
+        }
+        world.look({0.0, 1.0, 5.0}, {0.0, -0.2, -1.0});
+        return asked_or_met(world, ask, spp);
+    };
+    const Estimate point = inside(true, true, 16);
+    const double to_camera = 2.0 * std::sqrt(1.0 + 0.2 * 0.2);
+    for (int c = 0; c < 3; ++c) {
+        const double expected = 2.0 / (1.5 * 1.5) / pi * std::exp(-absorption[c] * (1.5 + to_camera));
+        EXPECT_NEAR(point.mean[c], expected, 0.001 * expected);
+    }
+    const Estimate asked = inside(false, true, 8192), met = inside(false, false, 65536);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(asked.mean[c], met.mean[c], 4.5 * std::hypot(asked.error[c], met.error[c])) << "channel " << c;
+        EXPECT_LT(asked.error[c] / asked.mean[c], 0.02);
+    }
+}
 
 TEST(Path, ManyLampsOfATreeAndFew) {
     // More lamps than are looked at one by one: the same light either way.

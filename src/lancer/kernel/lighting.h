@@ -5,23 +5,18 @@
 #include "lancer/kernel/intersect.h"
 #include "lancer/kernel/light.h"
 #include "lancer/kernel/refraction.h"
+#include "lancer/kernel/spectrum.h"
 #include "lancer/kernel/surface.h"
+#include "lancer/kernel/tally.h"
 
 NAMESPACE_BEGIN
 
 const int SHADOW_SURFACES = 32;  // that light may pass through on its way
 
-struct RayTally {
-    int camera;
-    int secondary;
-    int shadow;
-};
-
 FN Vec3 background(IN(WorldRecord) world, Vec3 direction) {
-    Float up = direction.y;
-    Vec3 above = broadcast(world.horizon) + (broadcast(world.zenith) - broadcast(world.horizon)) * max(up, Float(0.0f));
-    Vec3 below = broadcast(world.horizon) + (broadcast(world.nadir) - broadcast(world.horizon)) * max(-up, Float(0.0f));
-    return select(up < Float(0.0f), below, above);
+    Spectrum sky =
+        sky_gradient(rgb_value(broadcast(world.nadir)), rgb_value(broadcast(world.horizon)), rgb_value(broadcast(world.zenith)), direction.y);
+    return vec3_of(sky.x, sky.y, sky.z);
 }
 
 // How much of a lamp's light arrives through transparent bodies, which dim it and do not bend it on this way. `start`: what the ray's origin is

@@ -6,11 +6,12 @@
 
 #include "lancer/kernel/bsdf/bsdf.h"
 #include "lancer/kernel/camera.h"
-#include "lancer/kernel/emitter.h"
+#include "lancer/kernel/emitter/emitter.h"
 #include "lancer/kernel/intersect.h"
-#include "lancer/kernel/lighting.h"
+#include "lancer/kernel/medium.h"
 #include "lancer/kernel/pixel_filter.h"
 #include "lancer/kernel/sampler.h"
+#include "lancer/kernel/tally.h"
 #include "lancer/kernel/warp.h"
 
 NAMESPACE_BEGIN
@@ -78,7 +79,8 @@ FN void meet_surroundings(IN(WorldRecord) world, Mask missed, INOUT(PathState) p
     path.radiance = select(missed, path.radiance + path.throughput * sky * weight, path.radiance);
 }
 
-FN void meet_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, Mask shining, INOUT(PathState) path) {
+// `part`: the triangle of a mesh.
+FN void meet_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, Int part, Mask shining, INOUT(PathState) path) {
     Float weight = Float(1.0f);
     Mask compared = both(both(shining, path.density > Float(0.0f)), is_above(vertex.emitter, Int(-1)));
     if (some(compared)) {
@@ -87,7 +89,7 @@ FN void meet_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, Mask shining,
         while (some(todo)) {
             int number = first_of(vertex.emitter, todo);
             Mask mine = both(todo, is_equal(vertex.emitter, Int(number)));
-            Float asked = emitter_density(world, AT(world.emitters, number), path.origin, path.direction, vertex.point);
+            Float asked = emitter_density(world, AT(world.emitters, number), path.origin, path.direction, vertex.point, part, mine);
             weight = select(mine, power_heuristic(path.density, asked * chance), weight);
             todo = without(todo, mine);
         }
@@ -97,9 +99,9 @@ FN void meet_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, Mask shining,
 
 // ---- Light that is asked for. ------------------------------------------------------------------------------------------------------------
 
-// Of one emitter, at a point seen from `wo` (in `frame`).
-FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) frame, Vec3 normal, Vec3 wo, Float choice, Vec2 u, Mask asking,
-                    INOUT(PathState) path, INOUT(RayTally) tally) {
+// Of one emitter, at a point seen from `wo` (in `frame`). `front` and `behind`: the media on the path's side of the surface and on the other.
+FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) frame, Vec3 normal, Vec3 wo, Int front, Int behind, Float choice,
+                    Vec2 u, Mask asking, INOUT(PathState) path, INOUT(RayTally) tally) {
     EmitterChoice chosen = choose_emitter(world, vertex.point.position, choice, asking);
     Mask going = both(both(asking, is_above(chosen.emitter, Int(-1))), chosen.chance > Float(0.0f));
     Ray shadow;
@@ -122,7 +124,7 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
         // From just off this surface to just before the other.
         Vec3 start = leave_surface(vertex.point.position, vertex.point.error, normal, s.direction);
         // A ray's own rounding puts it off its line by some units for each unit of length, and so the distance to a plane.
-        Vec3 end = leave_surface(s.target, s.error + vec3_all(s.distance * Float(8.0f * ROUNDING)), s.normal, -s.direction);
+        Vec3 end = leave_surface(s.point.position, s.point.error + vec3_all(s.distance * Float(8.0f * ROUNDING)), s.point.normal, -s.direction);
         Vec3 way = end - start;
         Float reach = length(way);
         Mask far = s.distance >= Float(FAR);
@@ -142,6 +144,11 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
             tally.shadow += lanes_in(going);
             Mask hidden = occluded(world, shadow, going);
             Mask lit = without(going, hidden);
+            if (world.has_transparency != 0) {
+                Mask near = both(lit, shadow.reach < Float(FAR));
+                Int medium = select(wi.z > Float(0.0f), front, behind);
+                light = light * left_of_light(world, medium, shadow.reach, path.nanometres, near);
+            }
             Float asked = density * chosen.chance;
             Float weight = select(discrete, Float(1.0f), power_heuristic(asked, value.density)) / asked;
             path.radiance = select(lit, path.radiance + path.throughput * value.value * light * weight, path.radiance);
@@ -149,44 +156,7 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
     }
 }
 
-// ---- Inside of bodies. -------------------------------------------------------------------------------------------------------------------
-
-FN Float raised(Float clearness, Float exponent) { return power(max(clearness, Float(0.0f)), exponent); }
-
-// What bodies swallow along a way through them.
-FN Spectrum left_of_light(IN(WorldRecord) world, Int material, Float distance, Vec4 nanometres, Mask alive) {
-    Spectrum left_over = vec4_all(Float(1.0f));
-    Mask todo = both(alive, is_above(material, Int(-1)));
-    while (some(todo)) {
-        int number = first_of(material, todo);
-        Mask mine = both(todo, is_equal(material, Int(number)));
-        MaterialRecord body = AT(world.surfaces, number);
-        if (body.clear_distance > 0.0f) {
-            SurfacePoint nowhere = no_surface();
-            Spectrum clear = color_value(world, body.clearness, nowhere, nanometres, mine);
-            Float exponent = distance * Float(1.0f / body.clear_distance);
-            Spectrum passes =
-                vec4_of(raised(clear.x, exponent), raised(clear.y, exponent), raised(clear.z, exponent), raised(clear.w, exponent));
-            left_over = select(mine, passes, left_over);
-        }
-        todo = without(todo, mine);
-    }
-    return left_over;
-}
-
-FN Mask is_dispersive(IN(WorldRecord) world, Int material, Mask alive) {
-    Mask disperses = without(alive, alive);
-    Mask todo = both(alive, is_above(material, Int(-1)));
-    while (some(todo)) {
-        int number = first_of(material, todo);
-        Mask mine = both(todo, is_equal(material, Int(number)));
-        if (AT(world.media, number).dispersive != 0) {
-            disperses = either(disperses, mine);
-        }
-        todo = without(todo, mine);
-    }
-    return disperses;
-}
+// ---- Borders of bodies. ------------------------------------------------------------------------------------------------------------------
 
 // The relative index of a clear border, at each wavelength, and the media beyond.
 FN void find_border(IN(WorldRecord) world, IN(PathState) path, Mask clear, Mask thin, INOUT(PathVertex) vertex, INOUT(Media) beyond) {
@@ -235,14 +205,17 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
     if (some(here)) {
         PathVertex vertex = no_vertex();
         find_vertex(world, ray, hit, path.nanometres, here, vertex);
+        Mask thin = is_equal(vertex.closure.kind, Int(BSDF_THIN_DIELECTRIC));
+        Mask body = both(here, is_clear(vertex.closure));
+        Int front = path.media.first;
         if (world.has_transparency != 0) {
-            Int medium = medium_before(path.media, vertex.material, vertex.inside);
-            Spectrum left_over = left_of_light(world, select(vertex.inside, medium, path.media.first), hit.t, path.nanometres, here);
+            front = select(both(body, vertex.inside), medium_before(path.media, vertex.material, vertex.inside), front);
+            Spectrum left_over = left_of_light(world, front, hit.t, path.nanometres, here);
             path.throughput = path.throughput * left_over;
         }
         Mask shining = without(here, is_black(vertex.emission));
         if (some(shining)) {
-            meet_emitter(world, vertex, shining, path);
+            meet_emitter(world, vertex, hit.part, shining, path);
         }
 
         // The surface, turned to the path's side.
@@ -252,8 +225,7 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
         shading = select(dot(shading, view) > Float(0.0f), shading, normal);
         Frame frame = frame_around(shading);
         Vec3 wo = to_local(frame, view);
-        Mask thin = is_equal(vertex.closure.kind, Int(BSDF_THIN_DIELECTRIC));
-        Mask clear = both(here, either(is_clear(vertex.closure), thin));
+        Mask clear = either(body, both(here, thin));
         Mask sheet = either(thin, vertex.closure.thin);
         Media beyond = path.media;
         if (some(clear)) {
@@ -268,7 +240,8 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
             Vec2 choice = decide(path, depth, DECISION_CHOICE);
             Mask asking = without(going, is_smooth(vertex.closure));
             if (world.emitter_count > 0 && some(asking)) {
-                ask_emitter(world, vertex, frame, normal, wo, choice.x, decide(path, depth, DECISION_LIGHT), asking, path, tally);
+                Int behind = select(sheet, front, beyond.first);
+                ask_emitter(world, vertex, frame, normal, wo, front, behind, choice.x, decide(path, depth, DECISION_LIGHT), asking, path, tally);
             }
             BsdfSample next = bsdf_sample(world, vertex.closure, wo, choice.y, decide(path, depth, DECISION_DIRECTION), going);
             Vec3 direction = normalize(to_world(frame, next.wi));

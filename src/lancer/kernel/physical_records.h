@@ -85,8 +85,10 @@ struct EmitterRecord {
     float area;        // in world space; of placed shapes in their own
     float side_share;  // of that area, the side of a cone
     float base_share;  // and its lower cap
-    int first_share;   // meshes: into distributions, triangle_count cumulative shares of the area
+    int first_share;   // meshes: into distributions, triangle_count cumulative shares of the area, or of the light where a texture makes it
     int share_count;
+    int textured;
+    int first_density;  // textured meshes: into distributions, density per square metre on each triangle
 };
 
 // Depths beyond which a path ends, by what it does there.
@@ -109,7 +111,7 @@ RECORDS_END
 
 #ifdef __cplusplus
 namespace lancer::kernel {
-static_assert(sizeof(ColorRecord) == 40 && sizeof(MaterialRecord) == 260 && sizeof(EmitterRecord) == 132);
+static_assert(sizeof(ColorRecord) == 40 && sizeof(MaterialRecord) == 260 && sizeof(EmitterRecord) == 140);
 }  // namespace lancer::kernel
 #endif
 

@@ -14,6 +14,7 @@
 #include "lancer/world/emitters.h"
 #include "lancer/world/filters.h"
 #include "lancer/world/flatten.h"
+#include "lancer/world/lights.h"
 #include "lancer/world/materials.h"
 #include "lancer/world/shapes.h"
 
@@ -79,28 +80,6 @@ void compile_physics(const scene::Scene& scene, World& world) {
     }
 }
 
-kernel::LightRecord compile_light(const scene::Light& light) {
-    kernel::LightRecord record{};
-    record.radiance = to_float(light.color * light.intensity);
-    record.direction = kernel::vec3(0.0f, -1.0f, 0.0f);
-    if (const auto* point = std::get_if<scene::PointLight>(&light.model)) {
-        record.kind = kernel::LIGHT_POINT;
-        record.position = to_float(point->position);
-    } else if (const auto* spot = std::get_if<scene::SpotLight>(&light.model)) {
-        record.kind = kernel::LIGHT_SPOT;
-        record.position = to_float(spot->position);
-        record.direction = to_float(glm::normalize(spot->direction));
-        record.cos_outer = static_cast<float>(std::cos(glm::radians(spot->angle)));
-        // A spot without falloff still needs an edge that is not a division by zero: the next float.
-        const auto inner = static_cast<float>(std::cos(glm::radians(std::max(0.0, spot->angle - spot->falloff))));
-        record.cos_inner = std::max(inner, std::nextafter(record.cos_outer, 2.0f));
-    } else if (const auto* sun = std::get_if<scene::DirectionalLight>(&light.model)) {
-        record.kind = kernel::LIGHT_DIRECTIONAL;
-        record.direction = to_float(glm::normalize(sun->direction));
-    }
-    return record;
-}
-
 }  // namespace
 
 std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scene::Camera& camera, Diagnostics& diagnostics) {
@@ -122,7 +101,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     world->horizon = to_float(scene.background.horizon);
     world->nadir = to_float(scene.background.nadir);
     for (const scene::Light& light : scene.lights) {
-        world->lights.push_back(compile_light(light));
+        world->lights.push_back(light_record(light));
     }
     if (diagnostics.has_errors()) {
         return nullptr;
