@@ -5,6 +5,7 @@
     tiles.png   a glazed tile that repeats without a seam
     planet.png  continents of noise, for a sphere
     wood.png    rings of a tree, cut along; repeats from top to bottom
+    sky.hdr     an afternoon: a low sun and soft clouds over a plain, as radiance all around
 """
 import colorsys
 import math
@@ -144,8 +145,70 @@ def wood():
     write_png("wood.png", width, height, color)
 
 
+def write_hdr(name, width, height, color):
+    """color(x, y) gives linear (r, g, b). Radiance's format: a shared exponent, and runs of equal bytes in each row."""
+
+    def shared(rgb):
+        largest = max(rgb)
+        if largest < 1e-32:
+            return (0, 0, 0, 0)
+        mantissa, exponent = math.frexp(largest)
+        return tuple(int(c * mantissa * 256 / largest) for c in rgb) + (exponent + 128,)
+
+    def packed(row):
+        out, i = bytearray(), 0
+        while i < len(row):
+            run = 1
+            while i + run < len(row) and run < 127 and row[i + run] == row[i]:
+                run += 1
+            if run > 2:
+                out += bytes((128 + run, row[i]))
+                i += run
+                continue
+            j = i + 1
+            while j < len(row) and j - i < 128 and not (j + 2 < len(row) and row[j] == row[j + 1] == row[j + 2]):
+                j += 1
+            out += bytes((j - i,)) + bytes(row[i:j])
+            i = j
+        return out
+
+    data = bytearray(f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {width}\n".encode())
+    for y in range(height):
+        row = [shared(color(x, y)) for x in range(width)]
+        data += bytes((2, 2, width >> 8, width & 255))
+        for channel in range(4):
+            data += packed([texel[channel] for texel in row])
+    with open(os.path.join(HERE, name), "wb") as file:
+        file.write(data)
+
+
+def sky():
+    width, height = 384, 192
+    azimuth, elevation = math.radians(55), math.radians(24)  # of the sun, from the picture's middle to the right
+    sun = (math.sin(azimuth) * math.cos(elevation), math.sin(elevation), -math.cos(azimuth) * math.cos(elevation))
+
+    def color(x, y):
+        theta, phi = math.pi * (y + 0.5) / height, 2 * math.pi * ((x + 0.5) / width - 0.5)
+        d = (math.sin(phi) * math.sin(theta), math.cos(theta), -math.cos(phi) * math.sin(theta))
+        near = sum(i * j for i, j in zip(d, sun))
+        if d[1] < 0:
+            return mix((0.30, 0.26, 0.21), (0.13, 0.11, 0.08), -d[1] * 3)
+        light = mix((0.95, 0.93, 0.90), (0.16, 0.34, 0.82), d[1] ** 0.45)
+        glow = max(0, near)
+        light = tuple(c + g * (0.55 * glow ** 8 + 2.5 * glow ** 90) for c, g in zip(light, (1.0, 0.78, 0.5)))
+        far = 1 / (d[1] + 0.12)
+        cover = (clouds(9 + 0.9 * d[0] * far, 3, 9 + 0.9 * d[2] * far, 5) - 0.47) * 6
+        lit = mix((0.55, 0.58, 0.66), (1.7, 1.55, 1.35), 0.35 + 0.65 * glow ** 2)
+        light = mix(light, lit, min(1, max(0, cover)) * min(1, d[1] * 5))
+        disk = 1 / (1 + math.exp((math.acos(min(1, near)) - math.radians(1.3)) / math.radians(0.25)))
+        return tuple(c + s * disk for c, s in zip(light, (1250, 1080, 830)))
+
+    write_hdr("sky.hdr", width, height, color)
+
+
 if __name__ == "__main__":
     grid()
     tiles()
     planet()
     wood()
+    sky()
