@@ -51,4 +51,8 @@ done
 for scene in metals clear-bodies plastics principled depth-of-field lamps; do
     picture "$scene" "features/$scene" "${small[@]}"
 done
+picture environment features/environment "${small[@]}"
+for samples in emitter bsdf mis; do
+    picture "direct-$samples" features/direct-light --direct-samples "$samples" --size 480x320
+done
 picture cornell-box gallery/cornell-box --size 480x480

@@ -125,6 +125,14 @@ TEST(Toml, LeavesWhatIsNotWrittenAtTheDefaultsOfTheStructs) {
     EXPECT_EQ(s.settings.exposure, defaults.exposure);
     EXPECT_EQ(s.ambient, scene::Scene{}.ambient);
     EXPECT_EQ(s.background.zenith, scene::Background{}.zenith);
+    EXPECT_FALSE(s.background.image);
+    EXPECT_EQ(s.background.rotation, scene::Background{}.rotation);
+    EXPECT_EQ(s.background.strength, scene::Background{}.strength);
+    EXPECT_EQ(s.background.visible, scene::Background{}.visible);
+    EXPECT_EQ(s.settings.diffuse_bounces, defaults.diffuse_bounces);
+    EXPECT_EQ(s.settings.glossy_bounces, defaults.glossy_bounces);
+    EXPECT_EQ(s.settings.transmission_bounces, defaults.transmission_bounces);
+    EXPECT_EQ(s.settings.direct_samples, defaults.direct_samples);
 }
 
 TEST(Toml, ReadsShapes) {
@@ -429,6 +437,33 @@ exposure = -1.5
     const scene::Scene t = read_part("background = 'red'\n[ambient]\ncolor = [2, 2, 2]\n[[sphere]]\n");
     EXPECT_EQ(t.background.nadir, Rgb(1, 0, 0));
     EXPECT_EQ(t.ambient, Rgb(2.0));
+}
+
+TEST(Toml, ReadsASkyAndLimits) {
+    const std::string sky = LANCER_SOURCE_FOLDER "/scenes/textures/sky.hdr";
+    const scene::Scene s = read_part("[background]\nimage = '" + sky + R"('
+rotation = -30
+strength = 2
+visible = false
+[render]
+integrator = "direct"
+direct_samples = "emitter"
+diffuse_bounces = 1
+glossy_bounces = 2
+transmission_bounces = 3
+[[sphere]]
+material = { type = "diffuse" }
+)");
+    ASSERT_TRUE(s.background.image);
+    EXPECT_EQ(s.background.image->file, sky);
+    EXPECT_EQ(s.background.rotation, -30.0);
+    EXPECT_EQ(s.background.strength, 2.0);
+    EXPECT_FALSE(s.background.visible);
+    EXPECT_EQ(s.settings.direct_samples, scene::DirectSamples::emitter);
+    EXPECT_EQ(s.settings.diffuse_bounces, 1);
+    EXPECT_EQ(s.settings.glossy_bounces, 2);
+    EXPECT_EQ(s.settings.transmission_bounces, 3);
+    EXPECT_EQ(scene::bounces_of(s), 1);
 }
 
 TEST(Toml, ReadsGroups) {

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "lancer/image/image.h"
 #include "lancer/kernel/all_objects.h"
 #include "lancer/world/compile.h"
 #include "statistics/bsdf_cases.h"
@@ -94,6 +95,25 @@ scene::Mesh grid(int side) {
     return scene::Mesh{mesh, false};
 }
 
+// A few texels of different brightness, one of them a sun, some black.
+scene::Background image_of_a_sky() {
+    Image image;
+    image.width = 12;
+    image.height = 6;
+    for (int i = 0; i < image.width * image.height; ++i) {
+        const float light = i == 20 ? 40.0f : i % 5 == 0 ? 0.0f : 0.2f * static_cast<float>(i % 7);
+        image.pixels.insert(image.pixels.end(), {light, 0.5f * light, 2.0f * light});
+    }
+    const std::string file = testing::TempDir() + "sky.hdr";
+    write_image(file, image, {});
+    scene::Background background;
+    background.image = scene::ImageTexture{};
+    background.image->file = file;
+    background.rotation = 40.0;
+    background.strength = 3.0;
+    return background;
+}
+
 std::vector<EmitterCase> emitter_cases() {
     std::vector<EmitterCase> cases;
     const auto add = [&](const std::string& name, int kind, std::shared_ptr<const World> world) {
@@ -110,7 +130,14 @@ std::vector<EmitterCase> emitter_cases() {
     sky.background.zenith = scene::Rgb(1.0);
     sky.background.horizon = scene::Rgb(0.5);
     sky.background.nadir = scene::Rgb(0.2);
-    add("surroundings", EMITTER_ENVIRONMENT, compiled(sky));
+    add("gradient", EMITTER_ENVIRONMENT, compiled(sky));
+    sky.background.horizon = sky.background.nadir = sky.background.zenith;
+    add("even sky", EMITTER_ENVIRONMENT, compiled(sky));
+    sky.background = image_of_a_sky();
+    add("image of a sky", EMITTER_ENVIRONMENT, compiled(sky));
+    sky.settings.integrator = "direct";
+    sky.settings.direct_samples = scene::DirectSamples::emitter;  // what is darker than the mean is drawn, too
+    add("image of a sky, all of it", EMITTER_ENVIRONMENT, compiled(sky));
     add("sphere", EMITTER_SPHERE, world_with(scene::Sphere{{0.5, 1.5, 0.7}, 0.8}));
     add("sphere from within", EMITTER_SPHERE, world_with(scene::Sphere{{0.2, 0.3, 0.1}, 1.0}));
     const auto stretch = [](double x, double y, double z) {

@@ -111,7 +111,7 @@ Tracer tracer_named(const std::optional<std::string>& name) {
 
 std::string antialiasing_in_words(const scene::Scene& scene) {
     const scene::RenderSettings& settings = scene.settings;
-    if (scene::chosen_integrator(scene) == "path") {
+    if (scene::follows_paths(scene)) {
         return fmt::format("{} samples a pixel", settings.spp);
     }
     if (settings.antialiasing == scene::Antialiasing::adaptive) {
@@ -129,6 +129,15 @@ void apply_arguments(scene::Scene& scene, const RenderArguments& arguments, Diag
     settings.integrator = arguments.integrator.value_or(settings.integrator);
     if (arguments.bounces) {
         settings.bounces = arguments.bounces;
+    }
+    const auto limit = [](std::optional<int>& setting, const std::optional<int>& argument) { setting = argument ? argument : setting; };
+    limit(settings.diffuse_bounces, arguments.diffuse_bounces);
+    limit(settings.glossy_bounces, arguments.glossy_bounces);
+    limit(settings.transmission_bounces, arguments.transmission_bounces);
+    if (arguments.direct_samples) {
+        settings.direct_samples = *arguments.direct_samples == "emitter" ? scene::DirectSamples::emitter
+                                  : *arguments.direct_samples == "bsdf"  ? scene::DirectSamples::bsdf
+                                                                         : scene::DirectSamples::mis;
     }
     settings.spp = arguments.spp.value_or(settings.spp);
     settings.seed = arguments.seed.value_or(settings.seed);
@@ -183,7 +192,7 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
     prepared.options.width = scene.settings.width;
     prepared.options.height = scene.settings.height;
     prepared.options.threads = arguments.threads.value_or(hardware_threads());
-    prepared.options.spp = scene::chosen_integrator(scene) == "path" ? scene.settings.spp : 0;
+    prepared.options.spp = scene::follows_paths(scene) ? scene.settings.spp : 0;
     prepared.options.ssaa = scene.settings.ssaa;
     prepared.options.adaptive = scene.settings.antialiasing == scene::Antialiasing::adaptive;
     prepared.options.adaptive_threshold = scene.settings.adaptive_threshold;

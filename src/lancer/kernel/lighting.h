@@ -2,10 +2,10 @@
 #ifndef LANCER_KERNEL_LIGHTING_H
 #define LANCER_KERNEL_LIGHTING_H
 
+#include "lancer/kernel/emitter/sky.h"
 #include "lancer/kernel/intersect.h"
 #include "lancer/kernel/light.h"
 #include "lancer/kernel/refraction.h"
-#include "lancer/kernel/spectrum.h"
 #include "lancer/kernel/surface.h"
 #include "lancer/kernel/tally.h"
 
@@ -13,9 +13,8 @@ NAMESPACE_BEGIN
 
 const int SHADOW_SURFACES = 32;  // that light may pass through on its way
 
-FN Vec3 background(IN(WorldRecord) world, Vec3 direction) {
-    Spectrum sky =
-        sky_gradient(rgb_value(broadcast(world.nadir)), rgb_value(broadcast(world.horizon)), rgb_value(broadcast(world.zenith)), direction.y);
+FN Vec3 background(IN(WorldRecord) world, Vec3 direction, Mask mask) {
+    Spectrum sky = sky_radiance(world, direction, vec4_all(Float(D_LINE)), mask);
     return vec3_of(sky.x, sky.y, sky.z);
 }
 

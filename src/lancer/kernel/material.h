@@ -15,6 +15,17 @@ FN Spectrum smooth_spectrum(Vec3 coefficients, Vec4 nanometres) {
                    sigmoid_polynomial(coefficients, nanometres.z), sigmoid_polynomial(coefficients, nanometres.w));
 }
 
+// Light has no most that it can be: its shape is that of a reflectance, its size stands beside it. To be multiplied by the illuminant.
+FN Spectrum light_of_rgb(IN(WorldRecord) world, Vec3 rgb, Vec4 nanometres, Mask mask) {
+    Spectrum light = rgb_value(rgb);
+    if (world.spectral != 0) {
+        Float size = emission_scale(rgb);
+        Vec3 shape = rgb / max(size, Float(SMALLEST));
+        light = smooth_spectrum(reflectance_coefficients(world.upsampling, shape, mask), nanometres) * size;
+    }
+    return light;
+}
+
 // A colour of the scene at a point of a surface. Only lanes of `mask` need an answer.
 FN Spectrum color_value(IN(WorldRecord) world, IN(ColorRecord) color, IN(SurfacePoint) point, Vec4 nanometres, Mask mask) {
     Spectrum value = rgb_value(broadcast(color.rgb));
@@ -22,10 +33,9 @@ FN Spectrum color_value(IN(WorldRecord) world, IN(ColorRecord) color, IN(Surface
         TextureRecord texture = AT(world.textures, color.texture);
         Vec3 rgb = texture_color(world, texture, point.local, point.local_in, point.uv, mask);
         if (world.spectral != 0) {
-            // Light has no most that it can be: its shape is that of a reflectance, its size stands beside it.
-            Float size = color.illuminant >= 0 ? emission_scale(rgb) : Float(1.0f);
-            Vec3 shape = rgb / max(size, Float(SMALLEST));
-            value = smooth_spectrum(reflectance_coefficients(world.upsampling, shape, mask), nanometres) * (size * Float(color.scale));
+            value = color.illuminant >= 0 ? light_of_rgb(world, rgb, nanometres, mask)
+                                          : smooth_spectrum(reflectance_coefficients(world.upsampling, rgb, mask), nanometres);
+            value = value * Float(color.scale);
         } else {
             value = rgb_value(rgb) * Float(color.scale);
         }

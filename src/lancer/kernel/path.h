@@ -25,9 +25,11 @@ struct PathState {
     Spectrum radiance;  // found so far
     Float weight;       // of it in the pixel: of the filter, and so maybe negative
     Vec4 nanometres;
+    Vec3 facing;    // normal of the surface that it left, where nothing comes through that; else 0
     Float density;  // with which `direction` was drawn; 0: it could not have been found by asking an emitter
     Float squeeze;  // product of squared indices by which radiance was squeezed together, left out of Russian roulette
     Sampler numbers;
+    UInt scattered;  // how often, by kind: eleven bits for diffuse, eleven for glossy, ten for transmission
     Media media;
     Mask alive;
 };
@@ -53,8 +55,10 @@ FN PathState start_path(IN(WorldRecord) world, Float pixel_x, Float pixel_y, UIn
         Vec2 u = sample_pair(path.numbers, UInt(uint(DECISION_WAVELENGTH)));
         path.nanometres = wavelengths_at(u.x);
     }
+    path.facing = vec3_all(Float(0.0f));
     path.density = Float(0.0f);
     path.squeeze = Float(1.0f);
+    path.scattered = UInt(0u);
     path.media = no_media();
     path.alive = alive;
     return path;
@@ -66,6 +70,38 @@ FN Float power_heuristic(Float a, Float b) {
     return a2 / max(a2 + b * b, Float(SMALLEST));
 }
 
+// Of light that is met in a direction drawn with `density`, where asking would have found it with density `asked`.
+FN Float met_weight(IN(WorldRecord) world, Float density, Float asked) {
+    Float weight = power_heuristic(density, asked);
+    if (world.ways == WAYS_EMITTER) {
+        weight = select(asked > Float(0.0f), Float(0.0f), Float(1.0f));
+    } else if (world.ways == WAYS_BSDF) {
+        weight = Float(1.0f);
+    }
+    return weight;
+}
+
+// Of light that is asked for with density `asked`, where chance finds it with `density`; divided by the density.
+FN Float asked_weight(IN(WorldRecord) world, Float asked, Float density, Mask discrete) {
+    Float weight = select(discrete, Float(1.0f), power_heuristic(asked, density));
+    if (world.ways == WAYS_EMITTER) {
+        weight = Float(1.0f);
+    }
+    return weight / asked;
+}
+
+// ---- How often paths may be scattered. ---------------------------------------------------------------------------------------------------
+
+const uint ONE_GLOSSY = 2048u;
+const uint ONE_TRANSMISSION = 4194304u;
+
+FN Mask may_scatter(IN(WorldRecord) world, UInt scattered, Mask matt, Mask transmits) {
+    Mask diffuse = is_above(Int(world.limits.diffuse), as_signed(scattered & UInt(2047u)));
+    Mask glossy = is_above(Int(world.limits.glossy), as_signed((scattered >> 11) & UInt(2047u)));
+    Mask through = is_above(Int(world.limits.transmission), as_signed(scattered >> 22));
+    return select_mask(transmits, through, select_mask(matt, diffuse, glossy));
+}
+
 FN Vec2 decide(IN(PathState) path, int depth, int decision) {
     return sample_pair(path.numbers, UInt(uint(DECISION_BOUNCES + depth * DECISIONS_A_BOUNCE + decision)));
 }
@@ -73,9 +109,10 @@ FN Vec2 decide(IN(PathState) path, int depth, int decision) {
 // ---- Light that a path meets by itself. -------------------------------------------------------------------------------------------------
 
 FN void meet_surroundings(IN(WorldRecord) world, Mask missed, INOUT(PathState) path) {
-    Spectrum sky = environment_radiance(world, path.direction, path.nanometres, missed);
-    Float asked = emitter_chance(world, path.origin, Int(world.environment), missed) * Float(0.25f / PI);
-    Float weight = select(path.density > Float(0.0f), power_heuristic(path.density, asked), Float(1.0f));
+    Spectrum sky = sky_radiance(world, path.direction, path.nanometres, missed);
+    Float asked =
+        emitter_chance(world, path.origin, path.facing, Int(world.environment), missed) * sky_density(world, path.direction, missed);
+    Float weight = select(path.density > Float(0.0f), met_weight(world, path.density, asked), Float(1.0f));
     path.radiance = select(missed, path.radiance + path.throughput * sky * weight, path.radiance);
 }
 
@@ -84,13 +121,13 @@ FN void meet_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, Int part, Mas
     Float weight = Float(1.0f);
     Mask compared = both(both(shining, path.density > Float(0.0f)), is_above(vertex.emitter, Int(-1)));
     if (some(compared)) {
-        Float chance = emitter_chance(world, path.origin, vertex.emitter, compared);
+        Float chance = emitter_chance(world, path.origin, path.facing, vertex.emitter, compared);
         Mask todo = compared;
         while (some(todo)) {
             int number = first_of(vertex.emitter, todo);
             Mask mine = both(todo, is_equal(vertex.emitter, Int(number)));
             Float asked = emitter_density(world, AT(world.emitters, number), path.origin, path.direction, vertex.point, part, mine);
-            weight = select(mine, power_heuristic(path.density, asked * chance), weight);
+            weight = select(mine, met_weight(world, path.density, asked * chance), weight);
             todo = without(todo, mine);
         }
     }
@@ -100,9 +137,9 @@ FN void meet_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, Int part, Mas
 // ---- Light that is asked for. ------------------------------------------------------------------------------------------------------------
 
 // Of one emitter, at a point seen from `wo` (in `frame`). `front` and `behind`: the media on the path's side of the surface and on the other.
-FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) frame, Vec3 normal, Vec3 wo, Int front, Int behind, Float choice,
-                    Vec2 u, Mask asking, INOUT(PathState) path, INOUT(RayTally) tally) {
-    EmitterChoice chosen = choose_emitter(world, vertex.point.position, choice, asking);
+FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) frame, Vec3 normal, Vec3 facing, Vec3 wo, Int front, Int behind,
+                    Float choice, Vec2 u, Mask asking, INOUT(PathState) path, INOUT(RayTally) tally) {
+    EmitterChoice chosen = choose_emitter(world, vertex.point.position, facing, choice, asking);
     Mask going = both(both(asking, is_above(chosen.emitter, Int(-1))), chosen.chance > Float(0.0f));
     Ray shadow;
     shadow.origin = vertex.point.position;
@@ -124,7 +161,8 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
         // From just off this surface to just before the other.
         Vec3 start = leave_surface(vertex.point.position, vertex.point.error, normal, s.direction);
         // A ray's own rounding puts it off its line by some units for each unit of length, and so the distance to a plane.
-        Vec3 end = leave_surface(s.point.position, s.point.error + vec3_all(s.distance * Float(8.0f * ROUNDING)), s.point.normal, -s.direction);
+        Vec3 end =
+            leave_surface(s.point.position, s.point.error + vec3_all(s.distance * Float(8.0f * ROUNDING)), s.point.normal, -s.direction);
         Vec3 way = end - start;
         Float reach = length(way);
         Mask far = s.distance >= Float(FAR);
@@ -140,6 +178,9 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
         // Through a surface only where both its normals agree that it is through.
         Mask agree = (wi.z * dot(normal, shadow.direction)) > Float(0.0f);
         going = without(both(going, agree), is_black(value.value));
+        if (world.limits.limited != 0) {
+            going = both(going, may_scatter(world, path.scattered, is_matt(vertex.closure), wi.z < Float(0.0f)));
+        }
         if (some(going)) {
             tally.shadow += lanes_in(going);
             Mask hidden = occluded(world, shadow, going);
@@ -150,7 +191,7 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
                 light = light * left_of_light(world, medium, shadow.reach, path.nanometres, near);
             }
             Float asked = density * chosen.chance;
-            Float weight = select(discrete, Float(1.0f), power_heuristic(asked, value.density)) / asked;
+            Float weight = asked_weight(world, asked, value.density, discrete);
             path.radiance = select(lit, path.radiance + path.throughput * value.value * light * weight, path.radiance);
         }
     }
@@ -198,7 +239,8 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
     Hit hit = closest_hit(world, ray, path.alive);
     Mask here = both(path.alive, is_above(hit.object, Int(-1)));
     Mask missed = without(path.alive, here);
-    if (world.environment >= 0 && some(missed)) {
+    bool seen = depth > 0 || world.sky.visible != 0;
+    if (world.environment >= 0 && seen && some(missed)) {
         meet_surroundings(world, missed, path);
     }
     path.alive = here;
@@ -238,18 +280,27 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
         }
         if (some(going)) {
             Vec2 choice = decide(path, depth, DECISION_CHOICE);
+            Vec3 facing = select(is_opaque(vertex.closure), normal, vec3_all(Float(0.0f)));
             Mask asking = without(going, is_smooth(vertex.closure));
-            if (world.emitter_count > 0 && some(asking)) {
+            if (world.emitter_count > 0 && world.ways != WAYS_BSDF && some(asking)) {
                 Int behind = select(sheet, front, beyond.first);
-                ask_emitter(world, vertex, frame, normal, wo, front, behind, choice.x, decide(path, depth, DECISION_LIGHT), asking, path, tally);
+                ask_emitter(world, vertex, frame, normal, facing, wo, front, behind, choice.x, decide(path, depth, DECISION_LIGHT), asking,
+                            path, tally);
             }
             BsdfSample next = bsdf_sample(world, vertex.closure, wo, choice.y, decide(path, depth, DECISION_DIRECTION), going);
             Vec3 direction = normalize(to_world(frame, next.wi));
             Float rises = dot(direction, normal);
             Mask right_side = either(both(next.transmits, rises < Float(0.0f)), without(rises > Float(0.0f), next.transmits));
             going = both(both(going, next.valid), right_side);
+            if (world.limits.limited != 0) {
+                Mask matt = is_matt(vertex.closure);
+                going = both(going, may_scatter(world, path.scattered, matt, next.transmits));
+                UInt one = select(next.transmits, UInt(ONE_TRANSMISSION), select(matt, UInt(1u), UInt(ONE_GLOSSY)));
+                path.scattered = path.scattered + one;
+            }
             path.throughput = path.throughput * next.weight;
             path.density = next.density;
+            path.facing = facing;
             path.origin = leave_surface(vertex.point.position, vertex.point.error, normal, direction);
             path.direction = direction;
             Mask crosses = without(both(going, next.transmits), sheet);

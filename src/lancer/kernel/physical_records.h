@@ -76,7 +76,7 @@ struct EmitterRecord {
     int two_sided;
     ColorRecord light;  // radiant intensity, irradiance or radiance of lights that are no objects
     vec3 position;
-    vec3 direction;  // the way the light travels
+    vec3 direction;  // the way the light travels, length 1
     float cos_outer;
     float cos_inner;
     float strength;    // about the irradiance it makes: of the far ones as it is, of near ones at a distance of one metre
@@ -87,16 +87,44 @@ struct EmitterRecord {
     float base_share;  // and its lower cap
     int first_share;   // meshes: into distributions, triangle_count cumulative shares of the area, or of the light where a texture makes it
     int share_count;
+    int flat;  // all of it lies in one plane; `direction` is its normal
     int textured;
     int first_density;  // textured meshes: into distributions, density per square metre on each triangle
 };
 
-// Depths beyond which a path ends, by what it does there.
+const int SKY_NONE = 0;
+const int SKY_EVEN = 1;      // `horizon` everywhere
+const int SKY_GRADIENT = 2;  // from below to above
+const int SKY_IMAGE = 3;
+
+// Where no object is. An image is `scale` times texels, `height` rows of `width` from `first_texel` on, under the illuminant of `horizon`.
+struct SkyRecord {
+    int kind;
+    int visible;  // to the camera itself
+    ColorRecord zenith;
+    ColorRecord horizon;
+    ColorRecord nadir;
+    int first_texel;
+    int width;
+    int height;
+    float turn;  // about +y, in full turns
+    float scale;
+    int first_share;  // into distributions: `height` cumulative shares of rows; for each row, `width` of its texels
+};
+
+// How often a path is scattered at most, by what the surface does; `limited` 0: as often as it likes. Passing through a surface is transmission;
+// what is sent back is diffuse or glossy as bsdf/bsdf.h has it.
 struct PathLimits {
+    int limited;
     int diffuse;
     int glossy;
     int transmission;
 };
+
+// Which of the two ways to a lamp's light are gone.
+const int WAYS_BOTH = 0;
+const int WAYS_EMITTER = 1;  // lamps are asked; what could have been asked and is met by itself does not count
+const int WAYS_BSDF = 2;     // lamps are met
 
 // One coordinate of a pixel's filter, to be drawn from: `filter_places` holds FILTER_STEPS + 1 places, in pixels from the pixel's middle, at even
 // steps of the share of the filter's absolute value.
@@ -111,7 +139,7 @@ RECORDS_END
 
 #ifdef __cplusplus
 namespace lancer::kernel {
-static_assert(sizeof(ColorRecord) == 40 && sizeof(MaterialRecord) == 260 && sizeof(EmitterRecord) == 140);
+static_assert(sizeof(ColorRecord) == 40 && sizeof(MaterialRecord) == 260 && sizeof(EmitterRecord) == 144 && sizeof(SkyRecord) == 152);
 }  // namespace lancer::kernel
 #endif
 

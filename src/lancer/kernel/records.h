@@ -154,6 +154,7 @@ struct LightRecord {
 const int CAMERA_PERSPECTIVE = 0;   // a point of the film (x, y) in pixels maps to the direction corner + x * step_x + y * step_y
 const int CAMERA_ORTHOGRAPHIC = 1;  // to the origin corner + x * step_x + y * step_y; all look along `forward`
 const int CAMERA_PANORAMA = 2;      // to longitude and latitude: the picture's width spans 360 degrees, its height 180
+const int CAMERA_KINDS = 3;
 
 struct CameraRecord {
     vec3 position;
@@ -246,10 +247,11 @@ struct WorldRecord {
     int light_count;
     int emitter_count;
     int chosen_by_strength;  // 1: too many emitters to look at each; chosen by `strength` alone
-    int environment;         // the emitter that is the surroundings, -1: none
+    int environment;         // the emitter that is the sky, -1: none
     int spectral;            // 0: linear RGB
     int max_depth;           // vertices of a path after the camera, at most
     PathLimits limits;
+    int ways;  // WAYS_*
     FilterRecord filter_record;
     int seed;
     int band_count;
@@ -257,12 +259,7 @@ struct WorldRecord {
     float min_weight;  // of a path worth following
     int has_transparency;
     vec3 ambient;
-    vec3 zenith;
-    vec3 horizon;
-    vec3 nadir;
-    ColorRecord sky_zenith;  // the same gradient as radiance of the surroundings
-    ColorRecord sky_horizon;
-    ColorRecord sky_nadir;
+    SkyRecord sky;
     CameraRecord camera;
 };
 

@@ -32,11 +32,6 @@ FN Mask is_black(Spectrum s) { return largest(s) <= Float(0.0f); }
 
 FN Spectrum rgb_value(Vec3 rgb) { return vec4_of(rgb.x, rgb.y, rgb.z, Float(0.0f)); }
 
-// A vertical gradient: `up` is the direction's share of the way to the zenith, -1 to 1.
-FN Spectrum sky_gradient(Spectrum nadir, Spectrum horizon, Spectrum zenith, Float up) {
-    return horizon + (select(up < Float(0.0f), nadir, zenith) - horizon) * abs(up);
-}
-
 FN Float natural_log(Float x) { return log_2(x) * Float(0.69314718f); }
 
 // The share of the logistic distribution below a wavelength.

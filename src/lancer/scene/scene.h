@@ -260,11 +260,15 @@ struct Light {
     std::optional<Rgb> power = std::nullopt;
 };
 
-// A vertical gradient seen by rays that leave the scene; both equal for a plain colour.
+// What rays see that leave the scene: a vertical gradient, all equal for a plain colour; or a latitude-longitude image around it.
 struct Background {
     Rgb zenith{0.0};
     Rgb horizon{0.0};
     Rgb nadir{0.0};
+    std::optional<ImageTexture> image = std::nullopt;  // its middle lies along -z, its right half towards +x, its top along +y
+    double rotation = 0.0;                             // of the image about +y: degrees, counter-clockwise as seen from above
+    double strength = 1.0;                             // times this
+    bool visible = true;                               // to the camera itself
 };
 
 // ---- Camera -----------------------------------------------------------------------------------------------------------------------
@@ -289,15 +293,21 @@ struct Camera {
 // ---- How to render it -------------------------------------------------------------------------------------------------------------
 
 enum class Antialiasing { uniform, adaptive };
+enum class DirectSamples { mis, emitter, bsdf };  // how lamps are found: both ways together, by asking them, by scattered rays
 enum class PixelFilter { box, tent, gaussian, mitchell, blackman_harris };
 
 struct RenderSettings {
     int width = 1280;
     int height = 720;
     std::string integrator = "auto";  // path where anything in the scene follows physics, else whitted
-    std::optional<int> bounces;       // after the first hit; not written: 5 for whitted, 16 for path
-    int spp = 64;                     // samples a pixel of the path integrator
-    bool rgb = false;                 // paths carry linear RGB instead of wavelengths
+    std::optional<int> bounces;       // after the first hit; not written: 5 for whitted, 16 for path, 1 for direct
+    // How many of them may be of a kind; not written: all.
+    std::optional<int> diffuse_bounces;
+    std::optional<int> glossy_bounces;
+    std::optional<int> transmission_bounces;
+    DirectSamples direct_samples = DirectSamples::mis;  // of the direct integrator
+    int spp = 64;                                       // samples a pixel of the path integrator
+    bool rgb = false;                                   // paths carry linear RGB instead of wavelengths
     int seed = 0;
     PixelFilter filter = PixelFilter::blackman_harris;
     std::optional<double> filter_radius;  // pixels; not written: what suits the filter
@@ -327,5 +337,7 @@ struct Scene {
 // The integrator that "auto" stands for.
 std::string chosen_integrator(const Scene& scene);
 int bounces_of(const Scene& scene);
+// Whether light follows physics, along paths: any integrator but whitted.
+bool follows_paths(const Scene& scene);
 
 }  // namespace lancer::scene

@@ -17,6 +17,7 @@
 #include "lancer/world/lights.h"
 #include "lancer/world/materials.h"
 #include "lancer/world/shapes.h"
+#include "lancer/world/sky.h"
 
 namespace lancer {
 
@@ -70,6 +71,15 @@ kernel::CameraRecord compile_camera(const scene::Camera& camera, int width, int 
 // What the path integrator needs beyond what all need.
 void compile_physics(const scene::Scene& scene, World& world) {
     world.max_depth = scene::bounces_of(scene);
+    const scene::RenderSettings& settings = scene.settings;
+    world.limits.limited = settings.diffuse_bounces || settings.glossy_bounces || settings.transmission_bounces ? 1 : 0;
+    world.limits.diffuse = settings.diffuse_bounces.value_or(world.max_depth);
+    world.limits.glossy = settings.glossy_bounces.value_or(world.max_depth);
+    world.limits.transmission = settings.transmission_bounces.value_or(world.max_depth);
+    world.ways = scene::chosen_integrator(scene) != "direct"                ? kernel::WAYS_BOTH
+                 : settings.direct_samples == scene::DirectSamples::emitter ? kernel::WAYS_EMITTER
+                 : settings.direct_samples == scene::DirectSamples::bsdf    ? kernel::WAYS_BSDF
+                                                                            : kernel::WAYS_BOTH;
     world.seed = scene.settings.seed;
     compile_filter(scene.settings, world);
     world.spectral = !scene.settings.rgb;
@@ -84,9 +94,9 @@ void compile_physics(const scene::Scene& scene, World& world) {
 
 std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scene::Camera& camera, Diagnostics& diagnostics) {
     auto world = std::make_shared<World>();
-    const bool physical = scene::chosen_integrator(scene) != "whitted";
+    const bool physical = scene::follows_paths(scene);
     const int bounces = scene::bounces_of(scene);
-    const int most = physical ? max_path_bounces : kernel::MAX_BOUNCES;
+    const int most = scene::chosen_integrator(scene) == "direct" ? 1 : physical ? max_path_bounces : kernel::MAX_BOUNCES;
     if (bounces < 0 || bounces > most) {
         diagnostics.error({scene.file, 0, 0}, std::to_string(bounces) + " bounces: expected 0 to " + std::to_string(most));
     }
@@ -97,9 +107,6 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     world->min_weight = static_cast<float>(scene.settings.min_weight);
     world->camera = compile_camera(camera, scene.settings.width, scene.settings.height, diagnostics);
     world->ambient = to_float(scene.ambient);
-    world->zenith = to_float(scene.background.zenith);
-    world->horizon = to_float(scene.background.horizon);
-    world->nadir = to_float(scene.background.nadir);
     for (const scene::Light& light : scene.lights) {
         world->lights.push_back(light_record(light));
     }
@@ -113,6 +120,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
         compile_physics(scene, *world);
         compile_surfaces(scene, *world, textures, colors, diagnostics);
     }
+    compile_sky(scene.background, *world, textures, colors);
     compile_shapes(flatten(scene), *world, diagnostics);
     if (physical && !diagnostics.has_errors()) {
         compile_emitters(scene, *world, colors, diagnostics);

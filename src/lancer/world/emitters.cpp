@@ -12,6 +12,7 @@
 #include "lancer/kernel/emitter/emitter.h"
 #include "lancer/kernel/sampler.h"
 #include "lancer/world/lights.h"
+#include "lancer/world/sky.h"
 
 namespace lancer {
 
@@ -70,20 +71,15 @@ public:
         world_.emitters.push_back(record);
     }
 
-    void add_surroundings(const scene::Background& background) {
-        const scene::Rgb all = glm::max(glm::max(background.zenith, background.horizon), background.nadir);
-        if (!(std::max({all.x, all.y, all.z}) > 0.0)) {
-            return;
+    void add_sky() {
+        const double mean = compile_sky_shares(world_, world_.ways == kernel::WAYS_BOTH);
+        if (mean > 0.0) {
+            kernel::EmitterRecord record = no_emitter();
+            record.kind = kernel::EMITTER_ENVIRONMENT;
+            record.strength = static_cast<float>(std::numbers::pi * mean);
+            world_.environment = static_cast<int>(world_.emitters.size());
+            world_.emitters.push_back(record);
         }
-        world_.sky_zenith = colors_.light(background.zenith);
-        world_.sky_horizon = colors_.light(background.horizon);
-        world_.sky_nadir = colors_.light(background.nadir);
-        kernel::EmitterRecord record = no_emitter();
-        record.kind = kernel::EMITTER_ENVIRONMENT;
-        record.strength = static_cast<float>(
-            std::numbers::pi * brightness(kernel::vec3((background.zenith + background.horizon * 2.0 + background.nadir) * 0.25)));
-        world_.environment = static_cast<int>(world_.emitters.size());
-        world_.emitters.push_back(record);
     }
 
     void add_objects() {
@@ -133,6 +129,7 @@ public:
             emitter.first_share += static_cast<int>(shares.size());
             emitter.first_density += static_cast<int>(shares.size());
         }
+        world_.sky.first_share += static_cast<int>(shares.size());
         world_.distributions.insert(world_.distributions.begin(), shares.begin(), shares.end());
     }
 
@@ -182,6 +179,7 @@ private:
         const glm::dvec3 across = glm::cross(b - a, c - a);
         const double area = 0.5 * glm::length(across);
         record.kind = kernel::EMITTER_TRIANGLE;
+        record.flat = 1;
         record.area = static_cast<float>(area);
         const bool flips = world_.instances[static_cast<std::size_t>(object.instance)].flips != 0;
         record.direction = area > 0.0 ? kernel::vec3(glm::normalize(flips ? -across : across)) : kernel::vec3(0.0f);
@@ -273,7 +271,8 @@ private:
         if (record.kind != kernel::EMITTER_MESH) {
             double sum = 0.0;
             for (int i = 0; i < points_a_lamp; ++i) {
-                sum += texture_at(kernel::emitter_sample(world, record, kernel::broadcast(record.middle), spread(i, points_a_lamp), true).point, record);
+                sum += texture_at(
+                    kernel::emitter_sample(world, record, kernel::broadcast(record.middle), spread(i, points_a_lamp), true).point, record);
             }
             mean = sum / points_a_lamp;
         }
@@ -296,6 +295,9 @@ private:
         } else if (object.kind == kernel::OBJECT_PLACED_DISK) {
             own = pi;
             seen = own * growth.y;
+            const kernel::Vec3 normal = kernel::normalize(kernel::apply_transposed(shape.to_object, kernel::vec3_of(0.0f, 1.0f, 0.0f)));
+            record.direction = {normal.x, normal.y, normal.z};
+            record.flat = 1;
             half.y = 0.0;
         } else if (object.kind == kernel::OBJECT_PLACED_CONE) {
             const double side = pi * (bottom + top) * std::sqrt(1.0 + (top - bottom) * (top - bottom));
@@ -329,7 +331,7 @@ void compile_emitters(const scene::Scene& scene, World& world, Colors& colors, D
     for (const scene::Light& light : scene.lights) {
         emitters.add_light(light);
     }
-    emitters.add_surroundings(scene.background);
+    emitters.add_sky();
     emitters.add_objects();
     emitters.finish();
 }

@@ -21,20 +21,22 @@ class Textures {
 public:
     Textures(World& world, Diagnostics& diagnostics) : world_(world), diagnostics_(diagnostics) {}
 
-    CompiledTexture add(const scene::Texture& texture);
-
-private:
     struct Texels {
-        int first = 0;
+        int first = 0;  // into world.texels
         int width = 0;
         int height = 0;
     };
 
+    CompiledTexture add(const scene::Texture& texture);
+
+    // Of an image: its pixels as they are.
+    Texels load(const scene::ImageTexture& image);
+
+private:
     CompiledTexture compile(const scene::Rgb& color);
     CompiledTexture compile(const scene::Checker& checker);
     CompiledTexture compile(const scene::ImageTexture& image);
     CompiledTexture push(const kernel::TextureRecord& texture);
-    Texels load(const scene::ImageTexture& image);
 
     World& world_;
     Diagnostics& diagnostics_;

@@ -61,18 +61,15 @@ kernel::WorldRecord World::record() const {
     r.environment = environment;
     r.spectral = spectral ? 1 : 0;
     r.max_depth = max_depth;
+    r.limits = limits;
+    r.ways = ways;
     r.filter_record = filter;
     r.seed = seed;
-    r.sky_zenith = sky_zenith;
-    r.sky_horizon = sky_horizon;
-    r.sky_nadir = sky_nadir;
+    r.sky = sky;
     r.bounces = bounces;
     r.min_weight = min_weight;
     r.has_transparency = has_transparency ? 1 : 0;
     r.ambient = ambient;
-    r.zenith = zenith;
-    r.horizon = horizon;
-    r.nadir = nadir;
     r.camera = camera;
     return r;
 }

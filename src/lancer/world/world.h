@@ -51,17 +51,14 @@ public:
 
     kernel::CameraRecord camera{};
     kernel::vec3 ambient{0.0f};
-    kernel::vec3 zenith{0.0f};
-    kernel::vec3 horizon{0.0f};
-    kernel::vec3 nadir{0.0f};
-    kernel::ColorRecord sky_zenith{};
-    kernel::ColorRecord sky_horizon{};
-    kernel::ColorRecord sky_nadir{};
+    kernel::SkyRecord sky{};
     kernel::FilterRecord filter{};
     bool spectral = false;
     bool chosen_by_strength = false;
     int environment = -1;
     int max_depth = 0;
+    kernel::PathLimits limits{};
+    int ways = kernel::WAYS_BOTH;
     int seed = 0;
     int bounces = 0;
     float min_weight = 0.0f;

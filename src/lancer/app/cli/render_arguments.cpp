@@ -25,8 +25,18 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
     add_real(app, "--exposure", arguments.exposure, -100.0, 100.0,
              "Stops by which PNG and JPEG are brightened; EXR, HDR and TIFF keep the light as it is")
         ->group("Picture");
-    add_choice(app, "--integrator", arguments.integrator, {"auto", "whitted", "path"}, "How light is followed")->group("Light");
+    add_choice(app, "--integrator", arguments.integrator, {"auto", "whitted", "path", "direct"}, "How light is followed")->group("Light");
     add_whole(app, "--bounces", arguments.bounces, 0, max_path_bounces, "How often light goes on after the first hit, at most")
+        ->group("Light");
+    add_whole(app, "--diffuse-bounces", arguments.diffuse_bounces, 0, max_path_bounces, "How many of them off matt surfaces (path)")
+        ->group("Light");
+    add_whole(app, "--glossy-bounces", arguments.glossy_bounces, 0, max_path_bounces, "How many of them off mirrors and gloss (path)")
+        ->group("Light");
+    add_whole(app, "--transmission-bounces", arguments.transmission_bounces, 0, max_path_bounces,
+              "How many of them through surfaces (path)")
+        ->group("Light");
+    add_choice(app, "--direct-samples", arguments.direct_samples, {"mis", "emitter", "bsdf"},
+               "How lamps are found: both ways together, by asking lamps, by scattered rays (direct)")
         ->group("Light");
     add_whole(app, "--spp", arguments.spp, 1, 1 << 20, "Samples a pixel (path)")->group("Light");
     app.add_flag("--rgb", arguments.rgb, "Paths carry linear RGB instead of wavelengths: quicker, less right (path)")->group("Light");
@@ -67,6 +77,10 @@ std::vector<std::string> words_of(const RenderArguments& arguments) {
     add("--exposure", arguments.exposure);
     add("--integrator", arguments.integrator);
     add("--bounces", arguments.bounces);
+    add("--diffuse-bounces", arguments.diffuse_bounces);
+    add("--glossy-bounces", arguments.glossy_bounces);
+    add("--transmission-bounces", arguments.transmission_bounces);
+    add("--direct-samples", arguments.direct_samples);
     add("--spp", arguments.spp);
     if (arguments.rgb) {
         words.push_back("--rgb");

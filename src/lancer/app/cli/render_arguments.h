@@ -21,6 +21,10 @@ struct RenderArguments {
     std::optional<std::string> camera;
     std::optional<std::string> integrator;
     std::optional<int> bounces;
+    std::optional<int> diffuse_bounces;
+    std::optional<int> glossy_bounces;
+    std::optional<int> transmission_bounces;
+    std::optional<std::string> direct_samples;
     std::optional<int> spp;
     bool rgb = false;
     std::optional<int> seed;

@@ -103,7 +103,6 @@ void LANCER_FOLLOW(const kernel::WorldRecord& world, const PathRange& range, glm
     const std::size_t width = static_cast<std::size_t>(range.x1 - range.x0);
     const std::size_t samples = static_cast<std::size_t>(range.sample_count);
     const std::size_t all = range.paths();
-    const std::uint32_t seed = scramble(static_cast<std::uint32_t>(world.seed));
     for (std::size_t begin = 0; begin < all; begin += BATCH) {
         const std::size_t end = all - begin < BATCH ? all : begin + BATCH;
         std::size_t going = 0;
@@ -111,22 +110,23 @@ void LANCER_FOLLOW(const kernel::WorldRecord& world, const PathRange& range, glm
             const std::size_t here = end - first < LANES ? end - first : LANES;
             alignas(64) float x[LANES];
             alignas(64) float y[LANES];
-            alignas(64) std::uint32_t key[LANES];
+            alignas(64) std::uint32_t columns[LANES];
+            alignas(64) std::uint32_t rows[LANES];
             alignas(64) std::uint32_t number[LANES];
             alignas(64) std::uint32_t slot[LANES];
             for (std::size_t lane = 0; lane < LANES; ++lane) {
                 const std::size_t path = first + (lane < here ? lane : 0);
                 const std::size_t pixel = path / samples;
-                const std::uint32_t column = static_cast<std::uint32_t>(range.x0) + static_cast<std::uint32_t>(pixel % width);
-                const std::uint32_t row = static_cast<std::uint32_t>(range.y0) + static_cast<std::uint32_t>(pixel / width);
-                x[lane] = static_cast<float>(column);
-                y[lane] = static_cast<float>(row);
-                key[lane] = scramble(column + (row << 16) + seed);
+                columns[lane] = static_cast<std::uint32_t>(range.x0) + static_cast<std::uint32_t>(pixel % width);
+                rows[lane] = static_cast<std::uint32_t>(range.y0) + static_cast<std::uint32_t>(pixel / width);
+                x[lane] = static_cast<float>(columns[lane]);
+                y[lane] = static_cast<float>(rows[lane]);
                 number[lane] = static_cast<std::uint32_t>(range.first_sample) + static_cast<std::uint32_t>(path % samples);
                 slot[lane] = static_cast<std::uint32_t>(path);
             }
-            PathState path = start_path(world, Float::load_aligned(x), Float::load_aligned(y), UInt::load_aligned(key),
-                                        UInt::load_aligned(number), first_lanes(here));
+            const UInt key = pixel_key(UInt::load_aligned(columns), UInt::load_aligned(rows), UInt(static_cast<std::uint32_t>(world.seed)));
+            PathState path =
+                start_path(world, Float::load_aligned(x), Float::load_aligned(y), key, UInt::load_aligned(number), first_lanes(here));
             going = follow_vertex(world, 0, path, UInt::load_aligned(slot), going, batch, radiance, tally);
         }
         for (int depth = 1; going > 0; ++depth) {

@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "lancer/base/file.h"
 #include "lancer/import/toml/colors.h"
 
 namespace lancer::notation {
 
 namespace {
 
-scene::Background read_background_table(TableReader& reader) {
+scene::Background read_colors(TableReader& reader) {
     const auto color = read_color_if_written(reader, "color");
     const auto zenith = read_color_if_written(reader, "zenith");
     const auto horizon = read_color_if_written(reader, "horizon");
@@ -20,11 +21,43 @@ scene::Background read_background_table(TableReader& reader) {
             }
         }
         const scene::Rgb all = color.value_or(scene::Rgb(0.0));
-        return {all, all, all};
+        scene::Background even;
+        even.zenith = even.horizon = even.nadir = all;
+        return even;
     }
     const scene::Rgb black(0.0);
     const scene::Rgb middle = horizon ? *horizon : zenith && nadir ? 0.5 * (*zenith + *nadir) : zenith.value_or(nadir.value_or(black));
-    return {zenith.value_or(middle), middle, nadir.value_or(middle)};
+    scene::Background gradient;
+    gradient.zenith = zenith.value_or(middle);
+    gradient.horizon = middle;
+    gradient.nadir = nadir.value_or(middle);
+    return gradient;
+}
+
+scene::Background read_background_table(Context& context, TableReader& reader) {
+    scene::Background result = read_colors(reader);
+    const std::string file = reader.text("image");
+    if (!file.empty()) {
+        for (const char* key : {"color", "zenith", "horizon", "nadir"}) {
+            if (reader.has(key)) {
+                reader.error(key, fmt::format("a background has either \"image\" or \"{}\"", key));
+            }
+        }
+        scene::ImageTexture image;
+        image.file = path_beside(context.messages.file(), file);
+        image.position = reader.position("image");
+        if (context.files.image(image.file, image.position)) {
+            result.image = image;
+        } else {
+            reader.spoil();
+        }
+    } else if (reader.has("rotation")) {
+        reader.error("rotation", "\"rotation\" turns an \"image\"; this background has none");
+    }
+    result.rotation = reader.number("rotation");
+    result.strength = reader.number("strength");
+    result.visible = reader.flag("visible");
+    return result;
 }
 
 // `name = color`, where a table [name] may stand as well.
@@ -37,9 +70,10 @@ std::optional<scene::Rgb> read_bare_color(Messages& messages, const toml::node& 
 void read_background(Context& context, const toml::node& node) {
     if (const toml::table* table = node.as_table()) {
         TableReader reader(context.messages, *table, background());
-        context.scene.background = read_background_table(reader);
+        context.scene.background = read_background_table(context, reader);
     } else if (const auto color = read_bare_color(context.messages, node, background())) {
-        context.scene.background = {*color, *color, *color};
+        scene::Background& background = context.scene.background;
+        background.zenith = background.horizon = background.nadir = *color;
     }
 }
 
@@ -68,6 +102,11 @@ void read_render(Context& context, const toml::node& node) {
     if (reader.has("bounces")) {
         settings.bounces = reader.integer("bounces");
     }
+    const auto limit = [&](const char* key) { return reader.has(key) ? std::optional<int>(reader.integer(key)) : std::nullopt; };
+    settings.diffuse_bounces = limit("diffuse_bounces");
+    settings.glossy_bounces = limit("glossy_bounces");
+    settings.transmission_bounces = limit("transmission_bounces");
+    settings.direct_samples = static_cast<scene::DirectSamples>(reader.choice("direct_samples"));
     settings.spp = reader.integer("spp");
     settings.rgb = reader.flag("rgb");
     settings.seed = reader.integer("seed");

@@ -239,13 +239,21 @@ const Table& mesh() {
 }
 
 const Table& background() {
-    static const Table table{"background",
-                             "a background",
-                             "What is seen where there is nothing: one color, or a gradient from below to above.",
-                             {{"color", Kind::color, origin, not_negative, "", "The same in every direction; instead of the others."},
-                              {"zenith", Kind::color, none, not_negative, "", "Straight up; horizon's when not written."},
-                              {"horizon", Kind::color, none, not_negative, "", "At eye level; the mean of the others when not written."},
-                              {"nadir", Kind::color, none, not_negative, "", "Straight down; horizon's when not written."}}};
+    static const Table table{
+        "background",
+        "a background",
+        "What is seen where there is nothing: one color, a gradient from below to above, or an image all around.",
+        {{"color", Kind::color, origin, not_negative, "", "The same in every direction; instead of the others."},
+         {"zenith", Kind::color, none, not_negative, "", "Straight up; horizon's when not written."},
+         {"horizon", Kind::color, none, not_negative, "", "At eye level; the mean of the others when not written."},
+         {"nadir", Kind::color, none, not_negative, "", "Straight down; horizon's when not written."},
+         {"image", Kind::file, none, any, "",
+          "A latitude-longitude picture, twice as wide as high, best an .exr or .hdr; instead of colors. Its middle lies along "
+          "-z, its right half towards +x."},
+         {"rotation", Kind::number, 0.0, Range{-36000.0, 36000.0}, "degrees",
+          "Turns the image about the y axis, counter-clockwise as seen from above."},
+         {"strength", Kind::number, 1.0, not_negative, "", "Times this."},
+         {"visible", Kind::flag, true, any, "", "Whether the camera sees it, and not only what it lights (path)."}}};
     return table;
 }
 
@@ -268,11 +276,27 @@ const Table& render() {
           "auto",
           any,
           "",
-          "How light is followed. auto: path where a material or a light follows physics, else whitted.",
+          "How light is followed. auto: path where a material or a light follows physics, else whitted. direct: path with one bounce.",
           false,
-          {"auto", "whitted", "path"}},
+          {"auto", "whitted", "path", "direct"}},
          {"bounces", Kind::integer, none, Range{0.0, 1024.0}, "",
-          "How often light goes on after the first hit; 5 for whitted (at most 24), 16 for path when not written."},
+          "How often light goes on after the first hit; 5 for whitted (at most 24), 16 for path, 1 for direct (at most) when not written."},
+         {"diffuse_bounces", Kind::integer, none, Range{0.0, 1024.0}, "",
+          "How many of them off matt surfaces: diffuse, plastic, and principled ones that are more body than metal or glass (path); all "
+          "when not "
+          "written."},
+         {"glossy_bounces", Kind::integer, none, Range{0.0, 1024.0}, "",
+          "How many of them off other surfaces (path); all when not written."},
+         {"transmission_bounces", Kind::integer, none, Range{0.0, 1024.0}, "",
+          "How many of them through surfaces (path); all when not written."},
+         {"direct_samples",
+          Kind::choice,
+          "mis",
+          any,
+          "",
+          "How the direct integrator finds lamps: mis, both ways together; emitter, by asking them; bsdf, by scattered rays.",
+          false,
+          {"mis", "emitter", "bsdf"}},
          {"spp", Kind::integer, 64.0, Range{1.0, 1048576.0}, "", "Samples a pixel of the path integrator."},
          {"rgb", Kind::flag, false, any, "", "Paths carry linear RGB instead of wavelengths."},
          {"seed", Kind::integer, 0.0, Range{0.0, 2147483647.0}, "", "Another number, another noise."},

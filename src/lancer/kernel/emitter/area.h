@@ -128,8 +128,8 @@ FN Float mesh_density(IN(WorldRecord) world, IN(EmitterRecord) emitter, Int part
 
 // The number is used up by the choice of the triangle and stretched again for the place within it.
 FN AreaPoint mesh_point(IN(WorldRecord) world, IN(EmitterRecord) emitter, Vec2 u, Mask mask) {
-    Int part = find_share(world, emitter.first_share, emitter.share_count, u.x, mask);
-    Float share = own_share(world, emitter.first_share, part, mask);
+    Int part = find_share(world, Int(emitter.first_share), emitter.share_count, u.x, mask);
+    Float share = own_share(world, Int(emitter.first_share), part, mask);
     Float before = gather_float(world.distributions, part + Int(emitter.first_share), mask) - share;
     Vec2 rest = vec2_of(min(clamp01((u.x - before) / max(share, Float(SMALLEST))), Float(0.99999994f)), u.y);
     Vec2 on = on_triangle(rest);

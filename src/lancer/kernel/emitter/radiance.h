@@ -4,27 +4,14 @@
 
 #include "lancer/kernel/emitter/sample.h"
 #include "lancer/kernel/light.h"
-#include "lancer/kernel/material.h"
 
 NAMESPACE_BEGIN
-
-// The surroundings along a direction.
-FN Spectrum environment_radiance(IN(WorldRecord) world, Vec3 direction, Vec4 nanometres, Mask mask) {
-    Spectrum radiance = black();
-    if (world.environment >= 0) {
-        SurfacePoint nowhere = no_surface();
-        radiance = sky_gradient(color_value(world, world.sky_nadir, nowhere, nanometres, mask),
-                                color_value(world, world.sky_horizon, nowhere, nanometres, mask),
-                                color_value(world, world.sky_zenith, nowhere, nanometres, mask), direction.y);
-    }
-    return radiance;
-}
 
 // What arrives at the point if nothing is in the way: radiance, or irradiance at right angles of lights without size.
 FN Spectrum emitted_light(IN(WorldRecord) world, IN(EmitterRecord) emitter, IN(EmitterSample) s, Vec4 nanometres, Mask mask) {
     Spectrum light = black();
     if (emitter.kind == EMITTER_ENVIRONMENT) {
-        light = environment_radiance(world, s.direction, nanometres, mask);
+        light = sky_radiance(world, s.direction, nanometres, mask);
     } else if (emitter.object >= 0) {
         MaterialRecord material = AT(world.surfaces, emitter.material);
         Mask front = dot(s.point.normal, s.direction) < Float(0.0f);

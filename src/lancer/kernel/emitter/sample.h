@@ -3,6 +3,7 @@
 #define LANCER_KERNEL_EMITTER_SAMPLE_H
 
 #include "lancer/kernel/emitter/area.h"
+#include "lancer/kernel/emitter/sky.h"
 #include "lancer/kernel/frame.h"
 
 NAMESPACE_BEGIN
@@ -117,7 +118,8 @@ FN EmitterSample emitter_sample(IN(WorldRecord) world, IN(EmitterRecord) emitter
     } else if (emitter.kind == EMITTER_DIRECTIONAL) {
         s = far_sample(from, broadcast(-emitter.direction), Float(1.0f), yes);
     } else if (emitter.kind == EMITTER_ENVIRONMENT) {
-        s = far_sample(from, on_sphere(u), Float(0.25f / PI), no);
+        SkySample sky = sky_sample(world, u, mask);
+        s = far_sample(from, sky.direction, sky.density, no);
     } else {
         s = point_sample(emitter, from);
     }
@@ -126,9 +128,11 @@ FN EmitterSample emitter_sample(IN(WorldRecord) world, IN(EmitterRecord) emitter
 
 // The density, per solid angle at `from`, with which emitter_sample draws the point of an emitting object that a ray from there has met; `part`: of a mesh.
 FN Float emitter_density(IN(WorldRecord) world, IN(EmitterRecord) emitter, Vec3 from, Vec3 direction, IN(SurfacePoint) point, Int part,
-                          Mask mask) {
-    Float density = Float(0.25f / PI);
-    if (emitter.kind != EMITTER_ENVIRONMENT) {
+                         Mask mask) {
+    Float density = Float(0.0f);
+    if (emitter.kind == EMITTER_ENVIRONMENT) {
+        density = sky_density(world, direction, mask);
+    } else {
         Vec3 way = point.position - from;
         Float to_solid_angle = dot(way, way) / max(abs(dot(direction, point.normal)), Float(SMALLEST));
         density = to_solid_angle * Float(1.0f / emitter.area);

@@ -7,6 +7,7 @@
 
 #include "lancer/kernel/distribution.h"
 #include "lancer/kernel/material.h"
+#include "lancer/kernel/warp.h"
 
 NAMESPACE_BEGIN
 
