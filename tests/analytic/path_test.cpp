@@ -504,7 +504,7 @@ TEST(Path, DirectLightIsTheSameEachWay) {
 // After k bounces a furnace is as bright as the first terms of its series.
 TEST(Path, LimitedBouncesAreTheFirstTermsOfTheSeries) {
     scene::Material mirror = diffuse(0.0, 1.0, true);
-    mirror.model = scene::ConductorMaterial{.color = scene::Rgb(0.5)};
+    mirror.model = scene::ConductorMaterial{.metal = "", .color = scene::Rgb(0.5)};
     const auto furnace = [](const scene::Material& material, const std::function<void(scene::RenderSettings&)>& limit) {
         Physical world(1000);
         limit(world.scene.settings);

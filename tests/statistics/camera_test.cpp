@@ -124,7 +124,9 @@ TEST(Camera, DrawsFilmAndLens) {
             }
         }
         Pair sum;
-        const auto filter = [&](double x) { return 2.0 * radius * filter_value(scene::PixelFilter::tent, radius, (2.0 * x - 1.0) * radius); };
+        const auto filter = [&](double x) {
+            return 2.0 * radius * filter_value(scene::PixelFilter::tent, radius, (2.0 * x - 1.0) * radius);
+        };
         // The filter's value is not normed; its integral is found along with those over the cells.
         std::vector<double> expected = film.expect([&](double x, double y) { return Pair{filter(x) * filter(y), 0.0}; }, 1e-6, sum);
         for (double& count : expected) {

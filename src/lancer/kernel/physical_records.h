@@ -87,7 +87,7 @@ struct EmitterRecord {
     float base_share;  // and its lower cap
     int first_share;   // meshes: into distributions, triangle_count cumulative shares of the area, or of the light where a texture makes it
     int share_count;
-    int flat;  // all of it lies in one plane; `direction` is its normal
+    int planar;  // all of it lies in one plane; `direction` is its normal
     int textured;
     int first_density;  // textured meshes: into distributions, density per square metre on each triangle
 };

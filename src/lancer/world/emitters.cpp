@@ -179,7 +179,7 @@ private:
         const glm::dvec3 across = glm::cross(b - a, c - a);
         const double area = 0.5 * glm::length(across);
         record.kind = kernel::EMITTER_TRIANGLE;
-        record.flat = 1;
+        record.planar = 1;
         record.area = static_cast<float>(area);
         const bool flips = world_.instances[static_cast<std::size_t>(object.instance)].flips != 0;
         record.direction = area > 0.0 ? kernel::vec3(glm::normalize(flips ? -across : across)) : kernel::vec3(0.0f);
@@ -297,7 +297,7 @@ private:
             seen = own * growth.y;
             const kernel::Vec3 normal = kernel::normalize(kernel::apply_transposed(shape.to_object, kernel::vec3_of(0.0f, 1.0f, 0.0f)));
             record.direction = {normal.x, normal.y, normal.z};
-            record.flat = 1;
+            record.planar = 1;
             half.y = 0.0;
         } else if (object.kind == kernel::OBJECT_PLACED_CONE) {
             const double side = pi * (bottom + top) * std::sqrt(1.0 + (top - bottom) * (top - bottom));

@@ -32,7 +32,7 @@ FN Float emitter_weight(IN(EmitterRecord) emitter, Vec3 from, Vec3 facing) {
         if (emitter.kind == EMITTER_SPOT) {
             weight = weight * spot_share(-dot(towards, broadcast(emitter.direction)) / distance, emitter.cos_outer, emitter.cos_inner);
         }
-        if (emitter.flat != 0) {
+        if (emitter.planar != 0) {
             // Nothing reaches points in its plane, or behind it; those near the plane see little of it.
             Float slant = -dot(towards, broadcast(emitter.direction)) / distance;
             slant = emitter.two_sided != 0 ? abs(slant) : slant;
