@@ -39,13 +39,13 @@ public:
         }
         counts.camera += points.size();
     }
-    void follow_paths(const PathRange& range, std::span<glm::vec3> radiance, RayCounts& counts) const override {
+    void trace_paths(const PathRange& range, const PathSamples& samples, RayCounts& counts) const override {
         std::size_t next = 0;
         for (int y = range.y0; y < range.y1; ++y) {
             for (int x = range.x0; x < range.x1; ++x) {
                 for (int i = 0; i < range.sample_count; ++i) {
-                    radiance[next++] = paint_(glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f)) *
-                                       static_cast<float>(range.first_sample + i);
+                    samples.radiance[next++] = paint_(glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f)) *
+                                               static_cast<float>(range.first_sample + i);
                 }
             }
         }

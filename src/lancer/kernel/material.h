@@ -2,7 +2,7 @@
 #ifndef LANCER_KERNEL_MATERIAL_H
 #define LANCER_KERNEL_MATERIAL_H
 
-#include "lancer/kernel/bsdf/closure.h"
+#include "lancer/kernel/bsdf/visible_color.h"
 #include "lancer/kernel/refraction.h"
 #include "lancer/kernel/surface.h"
 #include "lancer/kernel/upsample.h"
@@ -49,6 +49,8 @@ struct PathVertex {
     Int material;
     Int emitter;  // -1: none
     Mask inside;  // the path comes from within
+    Vec3 albedo;  // linear RGB; this and `uv` where `world.watched`
+    Vec2 uv;
 };
 
 FN PathVertex no_vertex() {
@@ -59,6 +61,8 @@ FN PathVertex no_vertex() {
     v.material = Int(-1);
     v.emitter = Int(-1);
     v.inside = Float(1.0f) < Float(0.0f);
+    v.albedo = vec3_all(Float(0.0f));
+    v.uv = vec2_of(Float(0.0f), Float(0.0f));
     return v;
 }
 
@@ -116,6 +120,15 @@ FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, 
     return c;
 }
 
+// As seen from the other end of the ray.
+FN Vec3 material_albedo(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) point, Vec3 direction, Vec4 nanometres,
+                        Mask mask) {
+    WorldRecord in_rgb = world;
+    in_rgb.spectral = 0;
+    Spectrum color = visible_color(material_closure(in_rgb, material, point, nanometres, mask), abs(dot(point.shading, direction)));
+    return vec3_of(color.x, color.y, color.z);
+}
+
 // Lanes that hit the same object are done together. Indices of clear borders are not found here: they need to know what the path is inside of.
 FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Vec4 nanometres, Mask here, INOUT(PathVertex) vertex) {
     Mask todo = here;
@@ -148,6 +161,10 @@ FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Vec4 nanome
             c.kind = select(inside, Int(BSDF_NONE), c.kind);
         }
         vertex.closure = select_closure(mine, c, vertex.closure);
+        if (world.watched != 0) {
+            vertex.albedo = select(mine, material_albedo(world, material, s, ray.direction, nanometres, mine), vertex.albedo);
+            vertex.uv = vec2_of(select(mine, s.uv.x, vertex.uv.x), select(mine, s.uv.y, vertex.uv.y));
+        }
         todo = without(todo, mine);
     }
 }

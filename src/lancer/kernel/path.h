@@ -212,10 +212,17 @@ FN void find_border(IN(WorldRecord) world, IN(PathState) path, Mask clear, Mask 
     vertex.closure.index = select(clear, eta, vertex.closure.index);
 }
 
+// What one step met. Filled where `world.watched`.
+struct Sight {
+    Hit hit;
+    PathVertex vertex;
+    Spectrum met;  // the radiance found so far, but for light that was asked for from this vertex
+};
+
 // ---- One vertex --------------------------------------------------------------------------------------------------------------------------
 
 // From the path's ray to the next one. `depth` counts the vertices before this one.
-FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path, INOUT(RayTally) tally) {
+FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path, INOUT(Sight) sight, INOUT(RayTally) tally) {
     if (depth == 0) {
         tally.camera += lanes_in(path.alive);
     } else {
@@ -232,6 +239,10 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
         meet_surroundings(world, missed, path);
     }
     path.alive = here;
+    if (world.watched != 0) {
+        sight.hit = hit;
+        sight.met = path.radiance;
+    }
     if (some(here)) {
         PathVertex vertex = no_vertex();
         find_vertex(world, ray, hit, path.nanometres, here, vertex);
@@ -243,6 +254,10 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
         Mask shining = without(here, is_black(vertex.emission));
         if (some(shining)) {
             meet_emitter(world, vertex, shining, path);
+        }
+        if (world.watched != 0) {
+            sight.vertex = vertex;
+            sight.met = path.radiance;
         }
 
         // The surface, turned to the path's side.

@@ -248,6 +248,7 @@ struct WorldRecord {
     int chosen_by_strength;  // 1: too many emitters to look at each; chosen by `strength` alone
     int environment;         // the emitter that is the surroundings, -1: none
     int spectral;            // 0: linear RGB
+    int watched;             // 1: a path's steps tell what they meet
     int max_depth;           // vertices of a path after the camera, at most
     PathLimits limits;
     FilterRecord filter_record;

@@ -308,6 +308,10 @@ struct RenderSettings {
     double min_weight = 0.0005;        // paths that can bring less than this share of their light to the pixel are not followed
     int wavelengths = 48;              // that carry a path through dispersive glass
     double exposure = 0.0;             // stops
+    std::string view = "srgb";         // how linear light is shown; a name that image/view.h knows
+    std::vector<std::string> aovs;     // what EXR files hold beside the picture; names that image/aov.h knows
+    int spectral_bins = 0;             // and how many channels of spectral radiance
+    bool wide = false;                 // 32-bit floats in EXR files, not halves
 };
 
 struct Scene {

@@ -15,6 +15,7 @@
 #include "lancer/world/filters.h"
 #include "lancer/world/flatten.h"
 #include "lancer/world/materials.h"
+#include "lancer/world/names.h"
 #include "lancer/world/shapes.h"
 
 namespace lancer {
@@ -134,7 +135,9 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
         compile_physics(scene, *world);
         compile_surfaces(scene, *world, textures, colors, diagnostics);
     }
-    compile_shapes(flatten(scene), *world, diagnostics);
+    const std::vector<FlatObject> flat = flatten(scene);
+    compile_names(scene, flat, *world);
+    compile_shapes(flat, *world, diagnostics);
     if (physical && !diagnostics.has_errors()) {
         compile_emitters(scene, *world, colors, diagnostics);
     }

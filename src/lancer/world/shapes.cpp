@@ -59,7 +59,9 @@ class Shapes {
 public:
     Shapes(World& world, Diagnostics& diagnostics) : world_(world), diagnostics_(diagnostics) {}
 
-    void add(const FlatObject& flat) {
+    // `name`: into World::names.
+    void add(const FlatObject& flat, int name) {
+        name_ = name;
         const double determinant = glm::determinant(glm::dmat3(flat.to_world));
         if (!(std::abs(determinant) > 0.0) || !std::isfinite(determinant)) {
             diagnostics_.error(flat.object->position, "the transforms of this object together squeeze space flat or blow it up");
@@ -81,6 +83,7 @@ public:
         } else {
             for (std::size_t i = 0; i < world_.instances.size(); ++i) {
                 by_kind_[kernel::OBJECT_MESH].push_back({kernel::OBJECT_MESH, static_cast<int>(i), instance_materials_[i], 0, 0, 0, -1});
+                names_[kernel::OBJECT_MESH].push_back(instance_names_[i]);
             }
         }
         // The table of placed shapes holds several kinds: it is numbered in the order of its objects.
@@ -93,6 +96,9 @@ public:
                 }
                 world_.objects.push_back(object);
             }
+        }
+        for (const auto& [kind, names] : names_) {
+            world_.object_names.insert(world_.object_names.end(), names.begin(), names.end());
         }
         world_.placed = std::move(placed);
         if (!world_.positions.empty()) {
@@ -125,6 +131,7 @@ private:
     template <class T>
     void add_record(std::vector<T>& table, int kind, const T& record, int material) {
         by_kind_[kind].push_back({kind, static_cast<int>(table.size()), material, 0, 0, 0, -1});
+        names_[kind].push_back(name_);
         table.push_back(record);
     }
 
@@ -213,6 +220,7 @@ private:
         const bool flips = glm::determinant(glm::dmat3(flat.to_world)) < 0.0;
         world_.instances.push_back({to_record(flat.to_world), to_record(glm::inverse(flat.to_world)), number, flips ? 1 : 0});
         instance_materials_.push_back(flat.material);
+        instance_names_.push_back(name_);
     }
 
     // A mesh's data stands in the tables once, smooth or flat.
@@ -267,6 +275,7 @@ private:
             by_kind_[kernel::OBJECT_TRIANGLE].push_back({kernel::OBJECT_TRIANGLE, static_cast<int>(world_.triangles.size()),
                                                          instance_materials_[static_cast<std::size_t>(instance)], placed.mesh, instance, i,
                                                          -1});
+            names_[kernel::OBJECT_TRIANGLE].push_back(instance_names_[static_cast<std::size_t>(instance)]);
             world_.triangles.push_back({corner(i, 0), corner(i, 1), corner(i, 2)});
         }
     }
@@ -275,15 +284,18 @@ private:
     Diagnostics& diagnostics_;
     std::map<int, std::vector<ObjectRecord>> by_kind_;
     std::map<std::pair<const scene::TriangleMesh*, bool>, int> meshes_;
+    std::map<int, std::vector<int>> names_;  // of by_kind_'s objects
     std::vector<int> instance_materials_;
+    std::vector<int> instance_names_;
+    int name_ = 0;  // of the object that is being added
 };
 
 }  // namespace
 
 void compile_shapes(const std::vector<FlatObject>& flat, World& world, Diagnostics& diagnostics) {
     Shapes shapes(world, diagnostics);
-    for (const FlatObject& object : flat) {
-        shapes.add(object);
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+        shapes.add(flat[i], static_cast<int>(i));
     }
     shapes.finish();
 }

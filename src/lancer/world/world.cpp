@@ -84,6 +84,41 @@ std::size_t World::memory() const {
            bytes(lights) + bytes(bands);
 }
 
+namespace {
+
+const std::string& name_at(const std::vector<std::string>& names, int number) {
+    static const std::string nameless = "nameless";
+    return number >= 0 && static_cast<std::size_t>(number) < names.size() ? names[static_cast<std::size_t>(number)] : nameless;
+}
+
+}  // namespace
+
+const std::string& World::object_name(int object) const {
+    const bool known = object >= 0 && static_cast<std::size_t>(object) < object_names.size();
+    return name_at(names, known ? object_names[static_cast<std::size_t>(object)] : -1);
+}
+
+const std::string& World::material_name(int material) const { return name_at(material_names, material); }
+
+const char* World::object_kind(int object) const {
+    switch (objects.at(static_cast<std::size_t>(object)).kind) {
+        case kernel::OBJECT_SPHERE:
+        case kernel::OBJECT_PLACED_SPHERE:
+            return "sphere";
+        case kernel::OBJECT_BOX:
+        case kernel::OBJECT_PLACED_BOX:
+            return "box";
+        case kernel::OBJECT_PLANE:
+            return "plane";
+        case kernel::OBJECT_PLACED_DISK:
+            return "disk";
+        case kernel::OBJECT_PLACED_CONE:
+            return "cone";
+        default:
+            return "mesh";
+    }
+}
+
 bool World::is_small() const {
     return objects.size() <= small_world_objects && (objects.empty() || objects.back().kind != kernel::OBJECT_MESH);
 }

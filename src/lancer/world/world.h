@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "lancer/kernel/records.h"
@@ -42,6 +43,15 @@ public:
     std::vector<kernel::vec3> observer;
     std::vector<kernel::LightRecord> lights;
     std::vector<kernel::BandRecord> bands;
+
+    // What the scene's author calls things: for each of objects, and for each of the scene's materials. Those without a name are called by their
+    // kind and number: "sphere 3", "material 2".
+    std::vector<std::string> names;
+    std::vector<int> object_names;  // into names
+    std::vector<std::string> material_names;
+    const std::string& object_name(int object) const;
+    const std::string& material_name(int material) const;
+    const char* object_kind(int object) const;  // "sphere", "triangle", ...
 
     // A sphere around each object, for small worlds only; padded to a multiple of 16 by spheres that nothing meets.
     std::vector<float> bound_x;

@@ -20,6 +20,7 @@ enum class Kind {
     flag,        // true
     text,        // "red"
     choice,      // one of Key::words
+    choices,     // a list of some of Key::words
     file,        // a path, seen from the scene file's folder
     vector2,     // [0, 1]
     vector3,     // [0, 1, 2]
@@ -60,7 +61,7 @@ struct Key {
     std::string_view unit;
     std::string_view help;
     bool required = false;
-    std::vector<std::string_view> words = {};  // of a choice
+    std::vector<std::string_view> words = {};  // of a choice, or of choices
 };
 
 struct Table {

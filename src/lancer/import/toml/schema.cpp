@@ -44,6 +44,8 @@ Json value_schema(const Key& key) {
         case Kind::text:
         case Kind::file:
             return {{"type", "string"}, {"minLength", 1}};
+        case Kind::choices:
+            return any_length({{"enum", key.words}});
         case Kind::choice:
             if (key.words.size() == 1) {
                 return {{"const", key.words.front()}};

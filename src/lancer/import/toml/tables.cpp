@@ -1,6 +1,7 @@
 // Every key of the notation. Defaults are those of scene/scene.h; a test holds them together.
 #include <glm/vec3.hpp>
 
+#include "lancer/image/aov.h"
 #include "lancer/import/toml/notation.h"
 
 namespace lancer::notation {
@@ -257,6 +258,18 @@ const Table& ambient() {
     return table;
 }
 
+namespace {
+
+std::vector<std::string_view> aov_words() {
+    std::vector<std::string_view> words;
+    for (const AovKind& kind : aov_kinds()) {
+        words.push_back(kind.name);
+    }
+    return words;
+}
+
+}  // namespace
+
 const Table& render() {
     static const Table table{
         "render",
@@ -300,7 +313,18 @@ const Table& render() {
          {"min_weight", Kind::number, 0.0005, Range{0.0, 1.0}, "",
           "Reflected and refracted rays that can bring less than this share of their light to the pixel are not followed."},
          {"wavelengths", Kind::integer, 48.0, Range{1.0, 1024.0}, "", "How many carry a path through glass that spreads colours."},
-         {"exposure", Kind::number, 0.0, Range{-100.0, 100.0}, "stops", "Brightens the picture by 2^exposure."}}};
+         {"exposure", Kind::number, 0.0, Range{-100.0, 100.0}, "stops", "Brightens the picture by 2^exposure."},
+         {"view",
+          Kind::choice,
+          "srgb",
+          any,
+          "",
+          "How PNG, JPEG and the window show what is too bright for a display.",
+          false,
+          {"srgb", "pbr-neutral", "agx", "aces"}},
+         {"aovs", Kind::choices, none, any, "", "What EXR files hold beside the picture (path).", false, aov_words()},
+         {"spectral_bins", Kind::integer, 0.0, Range{0.0, 471.0}, "", "Channels of spectral radiance in EXR files (path)."},
+         {"float", Kind::flag, false, any, "", "EXR files hold 32-bit floats instead of halves."}}};
     return table;
 }
 
