@@ -3,8 +3,8 @@
 #define LANCER_KERNEL_MATERIAL_H
 
 #include "lancer/kernel/bsdf/closure.h"
+#include "lancer/kernel/mapping.h"
 #include "lancer/kernel/refraction.h"
-#include "lancer/kernel/surface.h"
 #include "lancer/kernel/upsample.h"
 
 NAMESPACE_BEGIN
@@ -22,7 +22,8 @@ FN Spectrum color_value(IN(WorldRecord) world, IN(ColorRecord) color, IN(Surface
     Spectrum value = rgb_value(broadcast(color.rgb));
     if (color.texture >= 0) {
         TextureRecord texture = AT(world.textures, color.texture);
-        Vec3 rgb = texture_color(world, texture, point.local, point.local_in, point.uv, mask);
+        Vec4 seen = texture_color(world, texture, point, mask);
+        Vec3 rgb = vec3_of(seen.x, seen.y, seen.z);
         if (world.spectral != 0) {
             value = smooth_spectrum(reflectance_coefficients(world.upsampling, rgb, mask), nanometres) * Float(color.scale);
         } else {
@@ -65,16 +66,45 @@ FN PathVertex no_vertex() {
 FN Mask all_or_none(bool yes) { return Float(yes ? 1.0f : 0.0f) > Float(0.5f); }
 
 // Of a film on the surface, over the wavelength; red, green and blue stand for one wavelength each.
-FN Spectrum film_thickness(IN(MaterialRecord) material, Vec4 nanometres, bool spectral) {
-    Spectrum film = black();
-    if (material.film_thickness > 0.0f) {
-        Vec4 at = nanometres;
-        if (!spectral) {
-            at = vec4_of(Float(611.0f), Float(549.0f), Float(464.0f), Float(549.0f));
-        }
-        film = vec4_all(Float(material.film_thickness)) / at;
+FN Spectrum film_thickness(Float thickness, Vec4 nanometres, bool spectral) {
+    Vec4 at = nanometres;
+    if (!spectral) {
+        at = vec4_of(Float(611.0f), Float(549.0f), Float(464.0f), Float(549.0f));
     }
-    return film;
+    return vec4_all(thickness) / at;
+}
+
+// Numbers that textures give. Those of a kind come after those that it builds upon.
+FN void take_inputs(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) point, Vec4 nanometres, Mask mask,
+                    INOUT(Closure) c) {
+    for (int i = 0; i < material.input_count; ++i) {
+        InputRecord source = AT(world.inputs, material.first_input + i);
+        Vec4 color = texture_color(world, AT(world.textures, source.texture), point, mask);
+        Float x = Float(source.offset) + Float(source.scale) * channel_of(color, source.channel);
+        Float share = clamp01(x);
+        if (source.kind == INPUT_ROUGHNESS) {
+            // The record holds the roughness of 1, stretched as the material is.
+            Float alpha = material.kind == BSDF_ROUGH_DIFFUSE ? share : share * share;
+            c.roughness_x = min(alpha * Float(material.roughness_x), Float(1.0f));
+            c.roughness_y = min(alpha * Float(material.roughness_y), Float(1.0f));
+        } else if (source.kind == INPUT_ANISOTROPY) {
+            Float aspect = sqrt(Float(1.0f) - Float(0.9f) * share);
+            c.roughness_x = min(c.roughness_x * aspect, Float(1.0f));
+            c.roughness_y = min(c.roughness_y / aspect, Float(1.0f));
+        } else if (source.kind == INPUT_METALNESS) {
+            c.metalness = share;
+        } else if (source.kind == INPUT_TRANSMISSION) {
+            c.transmission = share;
+        } else if (source.kind == INPUT_COAT) {
+            c.coat = share;
+        } else if (source.kind == INPUT_COAT_ROUGHNESS) {
+            c.coat_roughness = share * share;
+        } else if (source.kind == INPUT_SHEEN_ROUGHNESS) {
+            c.sheen_roughness = share;
+        } else if (source.kind == INPUT_FILM) {
+            c.film = film_thickness(max(x, Float(0.0f)), nanometres, world.spectral != 0);
+        }
+    }
 }
 
 FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) point, Vec4 nanometres, Mask mask) {
@@ -102,22 +132,20 @@ FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, 
         c.coat_index = Float(material.coat_index);
         c.sheen_roughness = Float(material.sheen_roughness);
         c.film_index = Float(material.film_index);
-        c.film = film_thickness(material, nanometres, world.spectral != 0);
-        c.thin = all_or_none((material.flags & MATERIAL_THIN) != 0);
-        if (material.detail > 0) {
-            TextureRecord texture = AT(world.textures, material.detail - 1);
-            Vec3 detail = texture_color(world, texture, point.local, point.local_in, point.uv, mask);
-            // The texture scales the roughness that people speak of, the root of alpha.
-            c.roughness_x = c.roughness_x * detail.y * detail.y;
-            c.roughness_y = c.roughness_y * detail.y * detail.y;
-            c.metalness = c.metalness * detail.z;
+        if (material.film_thickness > 0.0f) {
+            c.film = film_thickness(Float(material.film_thickness), nanometres, world.spectral != 0);
         }
+        c.thin = all_or_none((material.flags & MATERIAL_THIN) != 0);
+    }
+    if (material.input_count > 0) {
+        take_inputs(world, material, point, nanometres, mask, c);
     }
     return c;
 }
 
 // Lanes that hit the same object are done together. Indices of clear borders are not found here: they need to know what the path is inside of.
-FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Vec4 nanometres, Mask here, INOUT(PathVertex) vertex) {
+// `width`: diameter of the path's beam where it meets them, in metres.
+FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Float width, Vec4 nanometres, Mask here, INOUT(PathVertex) vertex) {
     Mask todo = here;
     while (some(todo)) {
         int number = first_of(hit.object, todo);
@@ -128,11 +156,20 @@ FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Vec4 nanome
         if (object.kind == OBJECT_SPHERE) {
             s.uv = sphere_uv(s.normal);
         }
+        if ((material.flags & MATERIAL_MAPPED) != 0) {
+            find_mapping(world, object, ray, hit, width, mine, s);
+        }
+        if ((material.flags & MATERIAL_TINTED) != 0) {
+            find_mesh_colors(world, object, hit, mine, s);
+        }
         Mask inside = dot(s.normal, ray.direction) > Float(0.0f);
         vertex.point.position = select(mine, s.position, vertex.point.position);
         vertex.point.error = select(mine, s.error, vertex.point.error);
         vertex.point.normal = select(mine, s.normal, vertex.point.normal);
         vertex.point.shading = select(mine, s.shading, vertex.point.shading);
+        if ((material.flags & MATERIAL_TURNED) != 0) {
+            vertex.point.along_u = select(mine, s.along_u, vertex.point.along_u);
+        }
         vertex.inside = either(vertex.inside, both(mine, inside));
         vertex.material = select(mine, Int(object.material), vertex.material);
         vertex.emitter = select(mine, Int(object.emitter), vertex.emitter);

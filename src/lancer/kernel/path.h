@@ -26,6 +26,8 @@ struct PathState {
     Vec4 nanometres;
     Float density;  // with which `direction` was drawn; 0: it could not have been found by asking an emitter
     Float squeeze;  // product of squared indices by which radiance was squeezed together, left out of Russian roulette
+    Float width;    // of the beam where it starts: a diameter, in metres
+    Float spread;   // by which it grows a metre
     Sampler numbers;
     Media media;
     Mask alive;
@@ -54,6 +56,13 @@ FN PathState start_path(IN(WorldRecord) world, Float pixel_x, Float pixel_y, UIn
     }
     path.density = Float(0.0f);
     path.squeeze = Float(1.0f);
+    path.width = Float(0.0f);
+    path.spread = Float(0.0f);
+    if (world.beam > 0.0f) {
+        Vec2 beam = pixel_beam(world.camera, pixel_x, pixel_y);
+        path.width = beam.x * Float(world.beam);
+        path.spread = beam.y * Float(world.beam);
+    }
     path.media = no_media();
     path.alive = alive;
     return path;
@@ -212,6 +221,14 @@ FN void find_border(IN(WorldRecord) world, IN(PathState) path, Mask clear, Mask 
     vertex.closure.index = select(clear, eta, vertex.closure.index);
 }
 
+// A direction drawn with that density stands for its share of all directions: a cone of the solid angle 1 / density. The beam takes part of its
+// width, so that distant textures are looked up in small copies, and what is lost of them is finer than the light that they scatter can show.
+const float SCATTERED_SHARE = 0.125f;
+
+FN Float scattered_spread(Float density) {
+    return select(density > Float(0.0f), Float(2.0f * SCATTERED_SHARE) / sqrt(max(density, Float(1.0e-3f)) * Float(PI)), Float(0.0f));
+}
+
 // ---- One vertex --------------------------------------------------------------------------------------------------------------------------
 
 // From the path's ray to the next one. `depth` counts the vertices before this one.
@@ -234,7 +251,8 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
     path.alive = here;
     if (some(here)) {
         PathVertex vertex = no_vertex();
-        find_vertex(world, ray, hit, path.nanometres, here, vertex);
+        path.width = path.width + path.spread * hit.t;
+        find_vertex(world, ray, hit, path.width, path.nanometres, here, vertex);
         if (world.has_transparency != 0) {
             Int medium = medium_before(path.media, vertex.material, vertex.inside);
             Spectrum left_over = left_of_light(world, select(vertex.inside, medium, path.media.first), hit.t, path.nanometres, here);
@@ -251,6 +269,9 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
         Vec3 shading = select(vertex.inside, -vertex.point.shading, vertex.point.shading);
         shading = select(dot(shading, view) > Float(0.0f), shading, normal);
         Frame frame = frame_around(shading);
+        if (world.has_directions != 0) {
+            frame = frame_along(shading, vertex.point.along_u);
+        }
         Vec3 wo = to_local(frame, view);
         Mask thin = is_equal(vertex.closure.kind, Int(BSDF_THIN_DIELECTRIC));
         Mask clear = both(here, either(is_clear(vertex.closure), thin));
@@ -277,6 +298,7 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
             going = both(both(going, next.valid), right_side);
             path.throughput = path.throughput * next.weight;
             path.density = next.density;
+            path.spread = max(path.spread, scattered_spread(next.density));
             path.origin = leave_surface(vertex.point.position, vertex.point.error, normal, direction);
             path.direction = direction;
             Mask crosses = without(both(going, next.transmits), sheet);

@@ -34,6 +34,28 @@ const int MATERIAL_ONE_SIDED = 4;     // seen from within it is black
 const int MATERIAL_BECKMANN = 8;      // its facets follow Beckmann's distribution, else GGX
 const int MATERIAL_SATURATES = 16;    // plastic: light that the coat sends back to the body takes its colour once more
 const int MATERIAL_THIN = 32;         // principled: a sheet without inside; what goes through is not bent
+const int MATERIAL_MAPPED = 64;       // needs to know how uv lies on the surface
+const int MATERIAL_TINTED = 128;      // needs the colours of vertices or faces
+const int MATERIAL_TURNED = 256;      // has a direction on the surface: u
+
+// A number of a material that a texture gives: offset + scale * channel.
+const int INPUT_ROUGHNESS = 0;  // its square is alpha; rough diffuse surfaces take it as it is
+const int INPUT_ANISOTROPY = 1;
+const int INPUT_METALNESS = 2;
+const int INPUT_TRANSMISSION = 3;
+const int INPUT_COAT = 4;
+const int INPUT_COAT_ROUGHNESS = 5;
+const int INPUT_SHEEN_ROUGHNESS = 6;
+const int INPUT_FILM = 7;  // nanometres
+const int INPUT_KINDS = 8;
+
+struct InputRecord {
+    int kind;
+    int texture;
+    int channel;  // 0 to 3: red, green, blue, alpha
+    float scale;
+    float offset;
+};
 
 struct MaterialRecord {
     int kind;
@@ -55,7 +77,8 @@ struct MaterialRecord {
     float sheen_roughness;  // 0 to 1
     float film_thickness;   // nanometres of a film on it, 0: none
     float film_index;       // index of refraction of the film, 1.3
-    int detail;             // 1 + index of a texture whose green scales the roughness and whose blue the metalness; 0: none
+    int first_input;        // into inputs: what textures give instead, in the order of the kinds
+    int input_count;
 };
 
 const int EMITTER_POINT = 0;
@@ -109,7 +132,7 @@ RECORDS_END
 
 #ifdef __cplusplus
 namespace lancer::kernel {
-static_assert(sizeof(ColorRecord) == 40 && sizeof(MaterialRecord) == 260 && sizeof(EmitterRecord) == 132);
+static_assert(sizeof(ColorRecord) == 40 && sizeof(InputRecord) == 20 && sizeof(MaterialRecord) == 264 && sizeof(EmitterRecord) == 132);
 }  // namespace lancer::kernel
 #endif
 

@@ -63,7 +63,7 @@ private:
     void add(const scene::PrincipledMaterial& material, const SourcePosition& position) {
         kernel::MediumRecord medium{};
         set_refraction(material.refraction, medium, position);
-        world_.has_transparency = world_.has_transparency || material.transmission > 0.0;
+        world_.has_transparency = world_.has_transparency || material.transmission.most() > 0.0;
         world_.materials.push_back(no_material());
         world_.media.push_back(medium);
     }

@@ -12,6 +12,8 @@ namespace lancer {
 
 namespace {
 
+double square(double x) { return x * x; }
+
 class Surfaces {
 public:
     Surfaces(World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics)
@@ -20,6 +22,7 @@ public:
     void add(const scene::Material& material) {
         position_ = &material.position;
         kernel::MaterialRecord record{};
+        record.first_input = static_cast<int>(world_.inputs.size());
         record.color = colors_.constant(0.0);
         record.index = colors_.constant(1.0);
         record.extinction = colors_.constant(0.0);
@@ -30,6 +33,7 @@ public:
         } else {
             std::visit([&](const auto& model) { set(model, record); }, material.model);
         }
+        record.input_count = static_cast<int>(world_.inputs.size()) - record.first_input;
         if (material.emission) {
             record.emission = colors_.light(textures_.add(material.emission->radiance), material.emission->strength);
             record.flags |= kernel::MATERIAL_EMITS;
@@ -37,6 +41,7 @@ public:
                 record.flags |= kernel::MATERIAL_EMITS_BEHIND;
             }
         }
+        mark(record);
         world_.surfaces.push_back(record);
     }
 
@@ -48,9 +53,9 @@ private:
     }
 
     void set(const scene::DiffuseMaterial& material, kernel::MaterialRecord& record) {
-        record.kind = material.roughness > 0.0 ? kernel::BSDF_ROUGH_DIFFUSE : kernel::BSDF_DIFFUSE;
+        record.kind = material.roughness.most() > 0.0 ? kernel::BSDF_ROUGH_DIFFUSE : kernel::BSDF_DIFFUSE;
         record.color = colors_.reflectance(textures_.add(material.color));
-        record.roughness_x = static_cast<float>(material.roughness);
+        record.roughness_x = take(material.roughness, kernel::INPUT_ROUGHNESS, 1.0);
     }
 
     void set(const scene::ConductorMaterial& material, kernel::MaterialRecord& record) {
@@ -88,19 +93,19 @@ private:
     void set(const scene::PrincipledMaterial& material, kernel::MaterialRecord& record) {
         record.kind = kernel::BSDF_PRINCIPLED;
         record.color = colors_.reflectance(textures_.add(material.color));
-        record.index = colors_.reflectance(material.sheen);
-        record.extinction = colors_.reflectance(material.specular);
+        record.index = colors_.reflectance(textures_.add(material.sheen));
+        record.extinction = colors_.reflectance(textures_.add(material.specular));
         record.eta = static_cast<float>(material.refraction);
-        record.metalness = static_cast<float>(material.metalness);
-        record.transmission = static_cast<float>(material.transmission);
-        record.coat = static_cast<float>(material.coat);
-        record.coat_roughness = static_cast<float>(material.coat_roughness * material.coat_roughness);
+        set_roughness(material.roughness, material.anisotropy, record);
+        record.metalness = take(material.metalness, kernel::INPUT_METALNESS);
+        record.transmission = take(material.transmission, kernel::INPUT_TRANSMISSION);
+        record.coat = take(material.coat, kernel::INPUT_COAT);
+        record.coat_roughness = static_cast<float>(square(static_cast<double>(take(material.coat_roughness, kernel::INPUT_COAT_ROUGHNESS))));
         record.coat_index = 1.5f;
-        record.sheen_roughness = static_cast<float>(material.sheen_roughness);
-        record.film_thickness = static_cast<float>(material.film);
+        record.sheen_roughness = take(material.sheen_roughness, kernel::INPUT_SHEEN_ROUGHNESS);
+        record.film_thickness = take(material.film, kernel::INPUT_FILM);
         record.film_index = static_cast<float>(material.film_refraction);
         record.flags |= material.thin ? kernel::MATERIAL_THIN : 0;
-        set_roughness(material.roughness, material.anisotropy, record);
         set_absorption(material.absorption, record);
     }
 
@@ -113,11 +118,46 @@ private:
         }
     }
 
-    static void set_roughness(double roughness, double anisotropy, kernel::MaterialRecord& record) {
-        const double alpha = roughness * roughness;
-        const double aspect = std::sqrt(1.0 - 0.9 * anisotropy);
-        record.roughness_x = static_cast<float>(std::min(alpha * aspect, 1.0));
-        record.roughness_y = static_cast<float>(std::min(alpha / aspect, 1.0));
+    // The number of a material, which stands in its record; where a texture gives it, `otherwise`, and the texture among the inputs.
+    float take(const scene::Value& value, int kind, double otherwise = 0.0) {
+        if (!value.texture) {
+            return static_cast<float>(value.number);
+        }
+        const CompiledTexture texture = textures_.add(*value.texture);
+        world_.inputs.push_back({kind, texture.number, static_cast<int>(value.channel), static_cast<float>(value.scale),
+                                 static_cast<float>(value.offset)});
+        return static_cast<float>(otherwise);
+    }
+
+    // Before all other inputs, which do not build upon it.
+    void set_roughness(const scene::Value& roughness, const scene::Value& anisotropy, kernel::MaterialRecord& record) {
+        const double alpha = square(static_cast<double>(take(roughness, kernel::INPUT_ROUGHNESS, 1.0)));
+        const double aspect = std::sqrt(1.0 - 0.9 * static_cast<double>(take(anisotropy, kernel::INPUT_ANISOTROPY)));
+        // Where the kernel goes on with them they are not cut yet.
+        const double most = roughness.texture || anisotropy.texture ? 1e6 : 1.0;
+        record.roughness_x = static_cast<float>(std::min(alpha * aspect, most));
+        record.roughness_y = static_cast<float>(std::min(alpha / aspect, most));
+        if (anisotropy.most() != 0.0) {
+            record.flags |= kernel::MATERIAL_TURNED | kernel::MATERIAL_MAPPED;
+            world_.has_directions = true;
+        }
+    }
+
+    // What the record's textures need to know of a surface.
+    void mark(kernel::MaterialRecord& record) {
+        const auto look_at = [&](int number) {
+            if (number >= 0) {
+                const kernel::TextureRecord& texture = world_.textures[static_cast<std::size_t>(number)];
+                const bool of_mesh = texture.kind == kernel::TEXTURE_VERTEX_COLOR || texture.kind == kernel::TEXTURE_FACE_COLOR;
+                record.flags |= of_mesh ? kernel::MATERIAL_TINTED : kernel::MATERIAL_MAPPED;
+            }
+        };
+        for (const kernel::ColorRecord* color : {&record.color, &record.index, &record.extinction, &record.emission}) {
+            look_at(color->texture);
+        }
+        for (int i = 0; i < record.input_count; ++i) {
+            look_at(world_.inputs[static_cast<std::size_t>(record.first_input + i)].texture);
+        }
     }
 
     static scene::Rgb seen(const SpectralCurve& curve) { return glm::max(reflected_rgb(curve), scene::Rgb(0.0)); }

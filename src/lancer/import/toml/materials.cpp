@@ -99,7 +99,7 @@ scene::WhittedMaterial read_whitted(Context& context, TableReader& reader) {
 }
 
 scene::DiffuseMaterial read_diffuse(Context& context, TableReader& reader) {
-    return {read_texture(context, reader, "color"), reader.number("roughness")};
+    return {read_texture(context, reader, "color"), read_value(context, reader, "roughness")};
 }
 
 scene::ConductorMaterial read_conductor(Context& context, TableReader& reader) {
@@ -113,8 +113,8 @@ scene::ConductorMaterial read_conductor(Context& context, TableReader& reader) {
                                           hint.empty() ? "; known are " + some_of(metal_names()) : ";" + hint));
     }
     model.color = read_texture(context, reader, "color");
-    model.roughness = reader.number("roughness");
-    model.anisotropy = reader.number("anisotropy");
+    model.roughness = read_value(context, reader, "roughness");
+    model.anisotropy = read_value(context, reader, "anisotropy");
     return model;
 }
 
@@ -122,36 +122,36 @@ scene::DielectricMaterial read_dielectric(Context& context, TableReader& reader)
     scene::DielectricMaterial model;
     model.refraction = read_refraction(reader, "refraction");
     model.color = read_texture(context, reader, "color");
-    model.roughness = reader.number("roughness");
-    model.anisotropy = reader.number("anisotropy");
+    model.roughness = read_value(context, reader, "roughness");
+    model.anisotropy = read_value(context, reader, "anisotropy");
     model.absorption = read_color(reader, "absorption");
     model.thin = reader.flag("thin");
-    if (reader.good() && model.thin && model.roughness > 0.0) {
+    if (reader.good() && model.thin && model.roughness.most() > 0.0) {
         reader.error("roughness", "a thin dielectric is smooth: write roughness = 0, or thin = false");
     }
     return model;
 }
 
 scene::PlasticMaterial read_plastic(Context& context, TableReader& reader) {
-    return {read_texture(context, reader, "color"), reader.number("refraction"), reader.number("roughness"), reader.flag("saturates")};
+    return {read_texture(context, reader, "color"), reader.number("refraction"), read_value(context, reader, "roughness"), reader.flag("saturates")};
 }
 
 scene::PrincipledMaterial read_principled(Context& context, TableReader& reader) {
     scene::PrincipledMaterial model;
     model.color = read_texture(context, reader, "color");
-    model.metalness = reader.number("metalness");
-    model.roughness = reader.number("roughness");
-    model.anisotropy = reader.number("anisotropy");
+    model.metalness = read_value(context, reader, "metalness");
+    model.roughness = read_value(context, reader, "roughness");
+    model.anisotropy = read_value(context, reader, "anisotropy");
     model.refraction = reader.number("refraction");
-    model.specular = read_color(reader, "specular");
-    model.transmission = reader.number("transmission");
+    model.specular = read_texture(context, reader, "specular");
+    model.transmission = read_value(context, reader, "transmission");
     model.thin = reader.flag("thin");
     model.absorption = read_color(reader, "absorption");
-    model.coat = reader.number("coat");
-    model.coat_roughness = reader.number("coat_roughness");
-    model.sheen = read_color(reader, "sheen");
-    model.sheen_roughness = reader.number("sheen_roughness");
-    model.film = reader.number("film");
+    model.coat = read_value(context, reader, "coat");
+    model.coat_roughness = read_value(context, reader, "coat_roughness");
+    model.sheen = read_texture(context, reader, "sheen");
+    model.sheen_roughness = read_value(context, reader, "sheen_roughness");
+    model.film = read_value(context, reader, "film");
     model.film_refraction = reader.number("film_refraction");
     return model;
 }
