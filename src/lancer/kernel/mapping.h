@@ -55,8 +55,8 @@ FN UvAxes placed_axes(IN(PlacedRecord) shape, int kind, Vec3 p, Vec3 n) {
         // On the ends v is the same everywhere: what stands in for it points to the middle.
         Mask on_end = abs(n.y) * ring > (abs(k) + Float(1.0e-3f)) * sqrt(n.x * n.x + n.z * n.z) * Float(1.5f);
         Float inwards = with_sign_of(Float(-1.0f), n.y);
-        axes.v = select(on_end, vec3_of(p.x * inwards / ring, zero, p.z * inwards / ring),
-                        vec3_of(k * p.x / ring, Float(1.0f), k * p.z / ring));
+        axes.v =
+            select(on_end, vec3_of(p.x * inwards / ring, zero, p.z * inwards / ring), vec3_of(k * p.x / ring, Float(1.0f), k * p.z / ring));
     }
     return axes;
 }

@@ -3,8 +3,9 @@
 #define LANCER_KERNEL_MATERIAL_H
 
 #include "lancer/kernel/bsdf/closure.h"
-#include "lancer/kernel/mapping.h"
+#include "lancer/kernel/inputs.h"
 #include "lancer/kernel/refraction.h"
+#include "lancer/kernel/relief.h"
 #include "lancer/kernel/upsample.h"
 
 NAMESPACE_BEGIN
@@ -65,48 +66,6 @@ FN PathVertex no_vertex() {
 
 FN Mask all_or_none(bool yes) { return Float(yes ? 1.0f : 0.0f) > Float(0.5f); }
 
-// Of a film on the surface, over the wavelength; red, green and blue stand for one wavelength each.
-FN Spectrum film_thickness(Float thickness, Vec4 nanometres, bool spectral) {
-    Vec4 at = nanometres;
-    if (!spectral) {
-        at = vec4_of(Float(611.0f), Float(549.0f), Float(464.0f), Float(549.0f));
-    }
-    return vec4_all(thickness) / at;
-}
-
-// Numbers that textures give. Those of a kind come after those that it builds upon.
-FN void take_inputs(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) point, Vec4 nanometres, Mask mask,
-                    INOUT(Closure) c) {
-    for (int i = 0; i < material.input_count; ++i) {
-        InputRecord source = AT(world.inputs, material.first_input + i);
-        Vec4 color = texture_color(world, AT(world.textures, source.texture), point, mask);
-        Float x = Float(source.offset) + Float(source.scale) * channel_of(color, source.channel);
-        Float share = clamp01(x);
-        if (source.kind == INPUT_ROUGHNESS) {
-            // The record holds the roughness of 1, stretched as the material is.
-            Float alpha = material.kind == BSDF_ROUGH_DIFFUSE ? share : share * share;
-            c.roughness_x = min(alpha * Float(material.roughness_x), Float(1.0f));
-            c.roughness_y = min(alpha * Float(material.roughness_y), Float(1.0f));
-        } else if (source.kind == INPUT_ANISOTROPY) {
-            Float aspect = sqrt(Float(1.0f) - Float(0.9f) * share);
-            c.roughness_x = min(c.roughness_x * aspect, Float(1.0f));
-            c.roughness_y = min(c.roughness_y / aspect, Float(1.0f));
-        } else if (source.kind == INPUT_METALNESS) {
-            c.metalness = share;
-        } else if (source.kind == INPUT_TRANSMISSION) {
-            c.transmission = share;
-        } else if (source.kind == INPUT_COAT) {
-            c.coat = share;
-        } else if (source.kind == INPUT_COAT_ROUGHNESS) {
-            c.coat_roughness = share * share;
-        } else if (source.kind == INPUT_SHEEN_ROUGHNESS) {
-            c.sheen_roughness = share;
-        } else if (source.kind == INPUT_FILM) {
-            c.film = film_thickness(max(x, Float(0.0f)), nanometres, world.spectral != 0);
-        }
-    }
-}
-
 FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) point, Vec4 nanometres, Mask mask) {
     Closure c = no_closure();
     c.kind = Int(material.kind);
@@ -143,33 +102,54 @@ FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, 
     return c;
 }
 
+// The point with everything that a material's textures may ask for. `width`: diameter of the path's beam there, in metres.
+FN SurfacePoint textured_surface(IN(WorldRecord) world, IN(ObjectRecord) object, int flags, IN(Ray) ray, IN(Hit) hit, Float width,
+                                 Mask mask) {
+    SurfacePoint s = object_surface(world, object, ray, hit, mask);
+    if (object.kind == OBJECT_SPHERE) {
+        s.uv = sphere_uv(s.normal);
+    }
+    if ((flags & MATERIAL_MAPPED) != 0) {
+        find_mapping(world, object, ray, hit, width, mask, s);
+    }
+    if ((flags & MATERIAL_TINTED) != 0) {
+        find_mesh_colors(world, object, hit, mask, s);
+    }
+    return s;
+}
+
+// What the lanes of `mine` find of one material at their points.
+FN void take_material(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) s, Mask inside, Vec4 nanometres, Mask mine,
+                      INOUT(PathVertex) vertex) {
+    Closure c = material_closure(world, material, s, nanometres, mine);
+    if ((material.flags & MATERIAL_ONE_SIDED) != 0) {
+        c.kind = select(inside, Int(BSDF_NONE), c.kind);
+    }
+    vertex.closure = select_closure(mine, c, vertex.closure);
+    if ((material.flags & MATERIAL_RELIEF) != 0) {
+        vertex.point.shading = select(mine, bent_normal(world, material, s, mine), vertex.point.shading);
+    }
+    if ((material.flags & MATERIAL_TURNED) != 0) {
+        vertex.point.along_u = select(mine, s.along_u, vertex.point.along_u);
+    }
+}
+
 // Lanes that hit the same object are done together. Indices of clear borders are not found here: they need to know what the path is inside of.
-// `width`: diameter of the path's beam where it meets them, in metres.
-FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Float width, Vec4 nanometres, Mask here, INOUT(PathVertex) vertex) {
+// `width`: diameter of the path's beam where it meets them, in metres. `choice` in [0, 1) chooses from mixed materials.
+FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Float width, Float choice, Vec4 nanometres, Mask here,
+                    INOUT(PathVertex) vertex) {
     Mask todo = here;
     while (some(todo)) {
         int number = first_of(hit.object, todo);
         Mask mine = both(todo, is_equal(hit.object, Int(number)));
         ObjectRecord object = AT(world.objects, number);
         MaterialRecord material = AT(world.surfaces, object.material);
-        SurfacePoint s = object_surface(world, object, ray, hit, mine);
-        if (object.kind == OBJECT_SPHERE) {
-            s.uv = sphere_uv(s.normal);
-        }
-        if ((material.flags & MATERIAL_MAPPED) != 0) {
-            find_mapping(world, object, ray, hit, width, mine, s);
-        }
-        if ((material.flags & MATERIAL_TINTED) != 0) {
-            find_mesh_colors(world, object, hit, mine, s);
-        }
+        SurfacePoint s = textured_surface(world, object, material.flags, ray, hit, width, mine);
         Mask inside = dot(s.normal, ray.direction) > Float(0.0f);
         vertex.point.position = select(mine, s.position, vertex.point.position);
         vertex.point.error = select(mine, s.error, vertex.point.error);
         vertex.point.normal = select(mine, s.normal, vertex.point.normal);
         vertex.point.shading = select(mine, s.shading, vertex.point.shading);
-        if ((material.flags & MATERIAL_TURNED) != 0) {
-            vertex.point.along_u = select(mine, s.along_u, vertex.point.along_u);
-        }
         vertex.inside = either(vertex.inside, both(mine, inside));
         vertex.material = select(mine, Int(object.material), vertex.material);
         vertex.emitter = select(mine, Int(object.emitter), vertex.emitter);
@@ -180,11 +160,18 @@ FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Float width
             }
             vertex.emission = select(shines, color_value(world, material.emission, s, nanometres, shines), vertex.emission);
         }
-        Closure c = material_closure(world, material, s, nanometres, mine);
-        if ((material.flags & MATERIAL_ONE_SIDED) != 0) {
-            c.kind = select(inside, Int(BSDF_NONE), c.kind);
+        if ((material.flags & MATERIAL_CHOOSES) != 0) {
+            Int chosen = choose_material(world, object.material, s, inside, choice, mine);
+            Mask waiting = mine;
+            while (some(waiting)) {
+                int which = first_of(chosen, waiting);
+                Mask these = both(waiting, is_equal(chosen, Int(which)));
+                take_material(world, AT(world.surfaces, which), s, inside, nanometres, these, vertex);
+                waiting = without(waiting, these);
+            }
+        } else {
+            take_material(world, material, s, inside, nanometres, mine, vertex);
         }
-        vertex.closure = select_closure(mine, c, vertex.closure);
         todo = without(todo, mine);
     }
 }

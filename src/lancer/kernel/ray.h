@@ -35,11 +35,11 @@ struct SurfacePoint {
 
     // What mapping.h finds where a material asks for it.
     Vec2 second_uv;
-    Vec3 along_u;       // how the point moves with u and with v: metres for each unit; 0: not known
+    Vec3 along_u;  // how the point moves with u and with v: metres for each unit; 0: not known
     Vec3 along_v;
-    Vec2 across;        // two diameters of the patch that the path's beam covers, in uv,
-    Vec2 down;          // at right angles on the surface
-    Vec2 second_across; // the same in the second uv
+    Vec2 across;         // two diameters of the patch that the path's beam covers, in uv,
+    Vec2 down;           // at right angles on the surface
+    Vec2 second_across;  // the same in the second uv
     Vec2 second_down;
     Vec3 local_across;  // and in the author's space
     Vec3 local_down;

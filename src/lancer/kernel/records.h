@@ -241,7 +241,7 @@ struct WorldRecord {
     Vec4Table tangents;     // of length 1; w is the side on which v grows, 1 or -1
     Vec4Table colors;       // linear RGB and alpha
     Vec4Table face_colors;  // of each triangle
-    IntTable indices;  // three a triangle, counted from the mesh's first vertex
+    IntTable indices;       // three a triangle, counted from the mesh's first vertex
     TextureTable textures;
     IntTable levels;
     IntTable texels;
@@ -283,7 +283,9 @@ struct WorldRecord {
     int seed;
     int band_count;
     int bounces;
-    float min_weight;  // of a path worth following
+    float min_weight;    // of a path worth following
+    int has_choices;     // 1: some material is a mix or has another one behind
+    int has_cuts;        // 1: some material is not there everywhere
     int has_directions;  // 1: some surface has a direction, see MATERIAL_TURNED
     float beam;          // share of a pixel's width that each of its samples stands for; 0: no texture asks
     int has_transparency;

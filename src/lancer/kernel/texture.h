@@ -79,10 +79,9 @@ FN Vec4 bilinear_color(IN(WorldRecord) world, IN(TextureRecord) texture, IN(Text
     Float top = floor(y);
     Float fx = x - left;
     Float fy = y - top;
-    Vec4 upper =
-        texel(world, texture, level, left, top, mask) * (one - fx) + texel(world, texture, level, left + one, top, mask) * fx;
-    Vec4 lower = texel(world, texture, level, left, top + one, mask) * (one - fx) +
-                 texel(world, texture, level, left + one, top + one, mask) * fx;
+    Vec4 upper = texel(world, texture, level, left, top, mask) * (one - fx) + texel(world, texture, level, left + one, top, mask) * fx;
+    Vec4 lower =
+        texel(world, texture, level, left, top + one, mask) * (one - fx) + texel(world, texture, level, left + one, top + one, mask) * fx;
     return upper * (one - fy) + lower * fy;
 }
 

@@ -167,12 +167,33 @@ struct Emission {
     bool both_sides = false;      // else outwards only
 };
 
+// Two materials, one here and the other there: indices into Scene::materials. They may be mixes themselves; no mix may contain itself.
+struct MixMaterial {
+    int first = 0;
+    int second = 0;
+    Value share = 0.5;  // of the second
+};
+
+// Where a surface's normals differ from those of its shape.
+struct Relief {
+    std::optional<Texture> normals = std::nullopt;  // red, green, blue from 0 to 1 are x, y, z from -1 to 1: along u, along v, outwards
+    double scale = 1.0;                             // of x and y
+    bool flips_green = false;                       // y grows downwards
+    std::optional<Value> heights = std::nullopt;    // metres outwards, of which only the slopes are seen
+};
+
 struct Material {
     std::string name;  // empty when written in place
-    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial> model;
+    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial, MixMaterial>
+        model;
     SourcePosition position;
     std::optional<Emission> emission = std::nullopt;
     bool is_default = false;  // for shapes without one: as it is, or diffuse where light follows physics
+    Relief relief = {};
+    Value opacity = 1.0;             // how much of it is there; light passes by the rest as if there were nothing
+    double opacity_cutoff = 0.0;     // above 0: it is there where the opacity is at least this, and nowhere else
+    std::optional<int> behind = {};  // what is seen from within instead: index into Scene::materials
+    bool one_sided = false;          // black when seen from within
 };
 
 inline bool is_physical(const Material& material) {

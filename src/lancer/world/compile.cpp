@@ -135,6 +135,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     if (physical) {
         compile_physics(scene, *world);
         compile_surfaces(scene, *world, textures, colors, diagnostics);
+        world->beam = world->textures.empty() ? 0.0f : world->beam;
     }
     compile_shapes(flatten(scene), *world, diagnostics);
     if (physical && !diagnostics.has_errors()) {

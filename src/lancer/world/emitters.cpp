@@ -73,7 +73,8 @@ public:
         for (std::size_t i = 0; i < world_.objects.size(); ++i) {
             kernel::ObjectRecord& object = world_.objects[i];
             const kernel::MaterialRecord& material = world_.surfaces[static_cast<std::size_t>(object.material)];
-            if ((material.flags & kernel::MATERIAL_EMITS) == 0) {
+            // A lamp with holes is met by chance only: points drawn on it may not be there.
+            if ((material.flags & kernel::MATERIAL_EMITS) == 0 || (material.flags & kernel::MATERIAL_CUT) != 0) {
                 continue;
             }
             kernel::EmitterRecord record = no_emitter();

@@ -18,7 +18,8 @@ class Encoder {
 public:
     Encoder() {
         for (int i = 0; i < 255; ++i) {
-            middles_[static_cast<std::size_t>(i)] = 0.5f * (srgb_decode(static_cast<float>(i) / 255.0f) + srgb_decode(static_cast<float>(i + 1) / 255.0f));
+            middles_[static_cast<std::size_t>(i)] =
+                0.5f * (srgb_decode(static_cast<float>(i) / 255.0f) + srgb_decode(static_cast<float>(i + 1) / 255.0f));
         }
     }
 

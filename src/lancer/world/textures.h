@@ -41,7 +41,8 @@ private:
 
     World& world_;
     Diagnostics& diagnostics_;
-    std::map<std::tuple<std::string, bool, bool>, Texels> images_;  // by file, whether its colours are linear, and whether it has smaller copies
+    std::map<std::tuple<std::string, bool, bool>, Texels>
+        images_;  // by file, whether its colours are linear, and whether it has smaller copies
 };
 
 }  // namespace lancer

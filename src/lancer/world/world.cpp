@@ -77,6 +77,8 @@ kernel::WorldRecord World::record() const {
     r.bounces = bounces;
     r.min_weight = min_weight;
     r.beam = beam;
+    r.has_choices = has_choices ? 1 : 0;
+    r.has_cuts = has_cuts ? 1 : 0;
     r.has_directions = has_directions ? 1 : 0;
     r.has_transparency = has_transparency ? 1 : 0;
     r.ambient = ambient;
@@ -89,8 +91,8 @@ kernel::WorldRecord World::record() const {
 
 std::size_t World::memory() const {
     return bytes(spheres) + bytes(boxes) + bytes(planes) + bytes(placed) + bytes(triangles) + bytes(meshes) + bytes(instances) +
-           bytes(objects) + bytes(positions) + bytes(normals) + bytes(uvs) + bytes(indices) + bytes(textures) + bytes(texels) + bytes(float_texels) +
-           bytes(second_uvs) + bytes(tangents) + bytes(colors) + bytes(face_colors) + bytes(levels) + bytes(inputs) +
+           bytes(objects) + bytes(positions) + bytes(normals) + bytes(uvs) + bytes(indices) + bytes(textures) + bytes(texels) +
+           bytes(float_texels) + bytes(second_uvs) + bytes(tangents) + bytes(colors) + bytes(face_colors) + bytes(levels) + bytes(inputs) +
            bytes(materials) + bytes(media) + bytes(surfaces) + bytes(emitters) + bytes(distributions) + bytes(curves) +
            bytes(observer) + bytes(lights) + bytes(bands);
 }

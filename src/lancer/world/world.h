@@ -35,10 +35,10 @@ public:
     std::vector<kernel::vec4> face_colors;  // as long as the triangles where any mesh has colours of faces
     std::vector<int> indices;
     std::vector<kernel::TextureRecord> textures;
-    std::vector<int> levels;                // of the textures' pictures, see TextureRecord
-    std::vector<int> texels;                // bytes, four to an int
+    std::vector<int> levels;  // of the textures' pictures, see TextureRecord
+    std::vector<int> texels;  // bytes, four to an int
     std::vector<float> float_texels;
-    std::vector<float> decoding;            // where bytes of some picture are sRGB
+    std::vector<float> decoding;  // where bytes of some picture are sRGB
     std::vector<kernel::InputRecord> inputs;
     std::vector<kernel::WhittedRecord> materials;
     std::vector<kernel::MediumRecord> media;       // of materials[i]
@@ -74,6 +74,8 @@ public:
     int bounces = 0;
     float min_weight = 0.0f;
     float beam = 0.0f;
+    bool has_choices = false;
+    bool has_cuts = false;
     bool has_directions = false;
     bool has_transparency = false;
 

@@ -24,7 +24,8 @@ scene::Value read_value(Context& context, TableReader& reader, std::string_view 
             reader.spoil();
         }
     } else if (!node->is_number()) {
-        reader.error(name, fmt::format("\"{}\" must be a number or {{ texture, channel, scale, offset }}, not {}", name, what_it_is(*node)));
+        reader.error(name,
+                     fmt::format("\"{}\" must be a number or {{ texture, channel, scale, offset }}, not {}", name, what_it_is(*node)));
     } else if (!read_number(context.messages, *node, key, value.number)) {
         reader.spoil();
     }

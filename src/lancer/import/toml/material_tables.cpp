@@ -23,6 +23,18 @@ Table physical(std::string_view type, std::string_view help, std::vector<Key> ke
                           "The light that the surface gives by itself, weighed by the eye; the shape is a lamp then."});
     table.keys.push_back({"emission_strength", Kind::number, 1.0, not_negative, "", "Multiplies emission."});
     table.keys.push_back({"emission_sides", Kind::choice, "front", any, "", "Whether it shines outwards only.", false, {"front", "both"}});
+    table.keys.push_back({"opacity", Kind::value, 1.0, share, "", "How much of it is there; light passes by the rest."});
+    table.keys.push_back(
+        {"opacity_cutoff", Kind::number, 0.0, share, "", "Above 0: it is there where the opacity is at least this, and nowhere else."});
+    table.keys.push_back({"behind", Kind::material, none, any, "", "The material that is seen from within, instead of this one."});
+    table.keys.push_back({"one_sided", Kind::flag, false, any, "", "Black when seen from within."});
+    if (type != "mix") {
+        table.keys.push_back({"normal_map", Kind::texture, glm::dvec3(0.5, 0.5, 1.0), share, "",
+                              "Bends the normals: red along u, green along v, blue outwards, 0.5 standing for none."});
+        table.keys.push_back({"normal_scale", Kind::number, 1.0, Range{-100.0, 100.0}, "", "Multiplies the red and green of normal_map."});
+        table.keys.push_back({"normal_flip_green", Kind::flag, false, any, "", "The map's green grows downwards, as Direct3D has it."});
+        table.keys.push_back({"bump", Kind::value, 0.0, any, "m", "Heights that bend the normals as if the surface were raised by them."});
+    }
     return table;
 }
 
@@ -109,6 +121,14 @@ const Table& principled_material() {
          {"sheen_roughness", Kind::value, 0.3, share, "", "Of the fibres."},
          {"film", Kind::value, 0.0, Range{0.0, 10000.0}, "nm", "The thickness of a film that shimmers in colours; 0 for none."},
          {"film_refraction", Kind::number, 1.3, Range{1.0, 3.0}, "", "The refractive index of the film."}});
+    return table;
+}
+
+const Table& mix_material() {
+    static const Table table = physical("mix", "Two materials, one here and the other there, or both together.",
+                                        {{"first", Kind::material, none, any, "", "A material, which may be a mix itself.", true},
+                                         {"second", Kind::material, none, any, "", "The other one.", true},
+                                         {"share", Kind::value, 0.5, share, "", "How much of the second there is."}});
     return table;
 }
 

@@ -85,6 +85,7 @@ const Table& conductor_material();
 const Table& dielectric_material();
 const Table& plastic_material();
 const Table& principled_material();
+const Table& mix_material();
 const Table& checker();
 const Table& image();
 const Table& vertex_color();
