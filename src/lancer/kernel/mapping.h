@@ -81,11 +81,11 @@ FN UvAxes beam_patch(Vec3 direction, Vec3 normal, Float width) {
     Float slant = dot(down, down);
     Frame any = frame_around(normal);
     down = select(slant > Float(1.0e-8f), down / sqrt(max(slant, Float(1.0e-8f))), any.x);
-    UvAxes patch;
-    patch.u = cross(normal, down) * width;
+    UvAxes covered;
+    covered.u = cross(normal, down) * width;
     // Nearly along the surface the patch has no end.
-    patch.v = down * (width / max(abs(cosine), Float(1.0e-3f)));
-    return patch;
+    covered.v = down * (width / max(abs(cosine), Float(1.0e-3f)));
+    return covered;
 }
 
 FN Float limited(Float x) { return min(max(x, Float(-1.0e6f)), Float(1.0e6f)); }
@@ -120,7 +120,7 @@ FN Vec2 vec2_between(Vec2 a, Vec2 b, Vec2 c, Float u, Float v) {
     return vec2_of(a.x * w + b.x * u + c.x * v, a.y * w + b.y * u + c.y * v);
 }
 
-FN void map_mesh(IN(WorldRecord) world, int instance_index, IN(Hit) hit, IN(UvAxes) patch, Mask mask, INOUT(SurfacePoint) s) {
+FN void map_mesh(IN(WorldRecord) world, int instance_index, IN(Hit) hit, IN(UvAxes) covered, Mask mask, INOUT(SurfacePoint) s) {
     InstanceRecord instance = AT(world.instances, instance_index);
     MeshRecord mesh = AT(world.meshes, instance.mesh);
     MeshCorners m = mesh_corners(world, mesh, hit.part, mask);
@@ -136,8 +136,8 @@ FN void map_mesh(IN(WorldRecord) world, int instance_index, IN(Hit) hit, IN(UvAx
         Vec2 uv_c = gather_vec2(world.uvs, m.c, mask);
         axes = triangle_axes(ab, ac, vec2_of(uv_b.x - uv_a.x, uv_b.y - uv_a.y), vec2_of(uv_c.x - uv_a.x, uv_c.y - uv_a.y));
     }
-    s.across = uv_along(axes, patch.u);
-    s.down = uv_along(axes, patch.v);
+    s.across = uv_along(axes, covered.u);
+    s.down = uv_along(axes, covered.v);
     s.second_uv = s.uv;
     s.second_across = s.across;
     s.second_down = s.down;
@@ -147,8 +147,8 @@ FN void map_mesh(IN(WorldRecord) world, int instance_index, IN(Hit) hit, IN(UvAx
         Vec2 uv_c = gather_vec2(world.second_uvs, m.c, mask);
         UvAxes second = triangle_axes(ab, ac, vec2_of(uv_b.x - uv_a.x, uv_b.y - uv_a.y), vec2_of(uv_c.x - uv_a.x, uv_c.y - uv_a.y));
         s.second_uv = vec2_between(uv_a, uv_b, uv_c, hit.u, hit.v);
-        s.second_across = uv_along(second, patch.u);
-        s.second_down = uv_along(second, patch.v);
+        s.second_across = uv_along(second, covered.u);
+        s.second_down = uv_along(second, covered.v);
     }
     s.along_u = axes.u;
     s.along_v = axes.v;
@@ -165,8 +165,8 @@ FN void map_mesh(IN(WorldRecord) world, int instance_index, IN(Hit) hit, IN(UvAx
         s.along_u = tangent;
         s.along_v = across * (side * length(axes.v) / max(length(across), Float(SMALLEST)));
     }
-    s.local_across = apply_linear(instance.to_object, patch.u);
-    s.local_down = apply_linear(instance.to_object, patch.v);
+    s.local_across = apply_linear(instance.to_object, covered.u);
+    s.local_down = apply_linear(instance.to_object, covered.v);
 }
 
 // Colours of vertices and faces; 1 where the mesh has none.
@@ -190,15 +190,15 @@ FN void find_mesh_colors(IN(WorldRecord) world, IN(ObjectRecord) object, IN(Hit)
 // Fills the point's second uv, directions and patches; `width` is the beam's diameter there, in metres.
 FN void find_mapping(IN(WorldRecord) world, IN(ObjectRecord) object, IN(Ray) ray, IN(Hit) hit, Float width, Mask mask,
                      INOUT(SurfacePoint) s) {
-    UvAxes patch = beam_patch(ray.direction, s.normal, width);
+    UvAxes covered = beam_patch(ray.direction, s.normal, width);
     if (object.kind == OBJECT_TRIANGLE) {
-        map_mesh(world, object.instance, hit, patch, mask, s);
+        map_mesh(world, object.instance, hit, covered, mask, s);
     } else if (object.kind == OBJECT_MESH) {
-        map_mesh(world, object.index, hit, patch, mask, s);
+        map_mesh(world, object.index, hit, covered, mask, s);
     } else {
         UvAxes axes;
-        s.local_across = patch.u;
-        s.local_down = patch.v;
+        s.local_across = covered.u;
+        s.local_down = covered.v;
         if (object.kind == OBJECT_SPHERE) {
             axes = sphere_axes(s.normal);
             axes.u = axes.u * Float(AT(world.spheres, object.index).radius);
@@ -218,8 +218,8 @@ FN void find_mapping(IN(WorldRecord) world, IN(ObjectRecord) object, IN(Ray) ray
             Vec3 v_way = cross(s.normal, u);
             axes.u = u_way / dot(u, u_way);
             axes.v = v_way / dot(v, v_way);
-            s.local_across = apply_linear(plane.to_author, patch.u);
-            s.local_down = apply_linear(plane.to_author, patch.v);
+            s.local_across = apply_linear(plane.to_author, covered.u);
+            s.local_down = apply_linear(plane.to_author, covered.v);
         } else {
             PlacedRecord shape = AT(world.placed, object.index);
             Vec3 p = apply_affine(shape.to_object, s.position);
@@ -227,13 +227,13 @@ FN void find_mapping(IN(WorldRecord) world, IN(ObjectRecord) object, IN(Ray) ray
             axes = placed_axes(shape, object.kind, p, n / max(length(n), Float(SMALLEST)));
             axes.u = apply_linear(shape.to_world, axes.u);
             axes.v = apply_linear(shape.to_world, axes.v);
-            s.local_across = apply_linear(shape.to_author, apply_linear(shape.to_object, patch.u));
-            s.local_down = apply_linear(shape.to_author, apply_linear(shape.to_object, patch.v));
+            s.local_across = apply_linear(shape.to_author, apply_linear(shape.to_object, covered.u));
+            s.local_down = apply_linear(shape.to_author, apply_linear(shape.to_object, covered.v));
         }
         s.along_u = axes.u;
         s.along_v = axes.v;
-        s.across = uv_along(axes, patch.u);
-        s.down = uv_along(axes, patch.v);
+        s.across = uv_along(axes, covered.u);
+        s.down = uv_along(axes, covered.v);
         s.second_uv = s.uv;
         s.second_across = s.across;
         s.second_down = s.down;

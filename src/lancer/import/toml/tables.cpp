@@ -279,6 +279,8 @@ const Table& mesh() {
                {"triangles", Kind::triangles, none, corner, "", "Three numbers of corners each, counted from 0."},
                {"normals", Kind::vectors3, none, Range{-1e6, 1e6}, "", "One for each corner."},
                {"uvs", Kind::vectors2, none, Range{-1e6, 1e6}, "", "Texture coordinates [u, v], one for each corner."},
+               {"colors", Kind::vectors3, none, share, "", "Linear [r, g, b], one for each corner, for vertex_color textures."},
+               {"face_colors", Kind::vectors3, none, share, "", "Linear [r, g, b], one for each triangle, for face_color textures."},
                {"smooth", Kind::flag, true, any, "", "Use the normals of the corners, where there are any."}});
     return table;
 }
