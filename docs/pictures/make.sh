@@ -51,4 +51,7 @@ done
 for scene in metals clear-bodies plastics principled depth-of-field lamps; do
     picture "$scene" "features/$scene" "${small[@]}"
 done
+for scene in mapping masks mixes bumps vertex-colors; do
+    picture "$scene" "features/$scene" "${small[@]}"
+done
 picture cornell-box gallery/cornell-box --size 480x480

@@ -87,10 +87,14 @@ FN Vec3 seen_normal(Vec3 normal, Vec3 shading, Vec3 view) {
         Float radius = sqrt(max(x * x + z * z, Float(1.0e-12f)));
         Float c = min(least / radius, Float(1.0f));
         Float s = sqrt(max(Float(1.0f) - c * c, Float(0.0f)));
-        // Cosine of 2a = (angle of the view) + acos c.
-        Float twice = (z * c - x * s) / radius;
-        Float cosine = sqrt(clamp01(Float(0.5f) + Float(0.5f) * twice));
-        Float sine = sqrt(clamp01(Float(0.5f) - Float(0.5f) * twice));
+        // Cosine and sine of 2a = (angle of the view) + acos c; the larger of those of a by a root, the other by division, which does not cancel.
+        Float cosine_2 = (z * c - x * s) / radius;
+        Float sine_2 = (x * c + z * s) / radius;
+        Float larger = sqrt(max(Float(0.5f) + Float(0.5f) * abs(cosine_2), Float(0.5f)));
+        Float smaller = Float(0.5f) * sine_2 / larger;
+        Mask steep = cosine_2 < Float(0.0f);
+        Float cosine = select(steep, smaller, larger);
+        Float sine = select(steep, larger, smaller);
         Vec3 bent = select(size > Float(1.0e-6f), normalize(normal * cosine + side * sine), normal);
         result = select(bad, bent, result);
     }
