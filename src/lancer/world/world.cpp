@@ -93,8 +93,8 @@ std::size_t World::memory() const {
     return bytes(spheres) + bytes(boxes) + bytes(planes) + bytes(placed) + bytes(triangles) + bytes(meshes) + bytes(instances) +
            bytes(objects) + bytes(positions) + bytes(normals) + bytes(uvs) + bytes(indices) + bytes(textures) + bytes(texels) +
            bytes(float_texels) + bytes(second_uvs) + bytes(tangents) + bytes(colors) + bytes(face_colors) + bytes(levels) + bytes(inputs) +
-           bytes(materials) + bytes(media) + bytes(surfaces) + bytes(emitters) + bytes(distributions) + bytes(curves) +
-           bytes(observer) + bytes(lights) + bytes(bands);
+           bytes(materials) + bytes(media) + bytes(surfaces) + bytes(emitters) + bytes(distributions) + bytes(curves) + bytes(observer) +
+           bytes(lights) + bytes(bands);
 }
 
 bool World::is_small() const {
