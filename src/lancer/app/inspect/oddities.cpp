@@ -63,7 +63,7 @@ private:
             return !glass->thin;
         }
         if (const auto* principled = std::get_if<scene::PrincipledMaterial>(&material.model)) {
-            return principled->transmission > 0.0 && !principled->thin;
+            return principled->transmission.most() > 0.0 && !principled->thin;
         }
         if (const auto* whitted = std::get_if<scene::WhittedMaterial>(&material.model)) {
             return whitted->transparency > 0.0;
