@@ -244,7 +244,7 @@ TEST(Relief, NeitherMakesLightNorBlackSpots) {
             }
             world.add(scene::Sphere{{0, 0, 0}, 1.0}, world.material(material));
             const Answer a = world.see(64);
-            EXPECT_LT(a.mean.y, 1.0 + 4.0 * a.error) << kind;
+            EXPECT_LT(a.mean.y, 1.0 + 1e-5 + 4.0 * a.error) << kind;  // a smooth mirror is exactly white but for rounding
             EXPECT_GT(a.mean.y, 0.85) << kind;
             EXPECT_GT(a.least, 0.4) << kind << ": a dark spot";
         }
