@@ -51,6 +51,9 @@ done
 for scene in metals clear-bodies plastics principled depth-of-field lamps; do
     picture "$scene" "features/$scene" "${small[@]}"
 done
+for scene in mapping masks mixes bumps vertex-colors; do
+    picture "$scene" "features/$scene" "${small[@]}"
+done
 picture cornell-box gallery/cornell-box --size 480x480
 for view in srgb pbr-neutral agx aces; do
     picture "view-$view" gallery/cornell-box --size 240x240 --spp 128 --exposure 2 --view "$view"

@@ -6,6 +6,7 @@
 
 #include "lancer/kernel/bsdf/bsdf.h"
 #include "lancer/kernel/camera.h"
+#include "lancer/kernel/cuts.h"
 #include "lancer/kernel/emitter.h"
 #include "lancer/kernel/intersect.h"
 #include "lancer/kernel/lighting.h"
@@ -26,6 +27,8 @@ struct PathState {
     Vec4 nanometres;
     Float density;  // with which `direction` was drawn; 0: it could not have been found by asking an emitter
     Float squeeze;  // product of squared indices by which radiance was squeezed together, left out of Russian roulette
+    Float width;    // of the beam where it starts: a diameter, in metres
+    Float spread;   // by which it grows a metre
     Sampler numbers;
     Media media;
     Mask alive;
@@ -54,6 +57,13 @@ FN PathState start_path(IN(WorldRecord) world, Float pixel_x, Float pixel_y, UIn
     }
     path.density = Float(0.0f);
     path.squeeze = Float(1.0f);
+    path.width = Float(0.0f);
+    path.spread = Float(0.0f);
+    if (world.beam > 0.0f) {
+        Vec2 beam = pixel_beam(world.camera, pixel_x, pixel_y);
+        path.width = beam.x * Float(world.beam);
+        path.spread = beam.y * Float(world.beam);
+    }
     path.media = no_media();
     path.alive = alive;
     return path;
@@ -140,11 +150,11 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
         going = without(both(going, agree), is_black(value.value));
         if (some(going)) {
             tally.shadow += lanes_in(going);
-            Mask hidden = occluded(world, shadow, going);
-            Mask lit = without(going, hidden);
+            Float passes = passing_light(world, shadow, going);
+            Mask lit = both(going, passes > Float(0.0f));
             Float asked = density * chosen.chance;
             Float weight = select(discrete, Float(1.0f), power_heuristic(asked, value.density)) / asked;
-            path.radiance = select(lit, path.radiance + path.throughput * value.value * light * weight, path.radiance);
+            path.radiance = select(lit, path.radiance + path.throughput * value.value * light * (weight * passes), path.radiance);
         }
     }
 }
@@ -219,6 +229,14 @@ struct Sight {
     Spectrum met;  // the radiance found so far, but for light that was asked for from this vertex
 };
 
+// A direction drawn with that density stands for its share of all directions: a cone of the solid angle 1 / density. The beam takes part of its
+// width, so that distant textures are looked up in small copies, and what is lost of them is finer than the light that they scatter can show.
+const float SCATTERED_SHARE = 0.125f;
+
+FN Float scattered_spread(Float density) {
+    return select(density > Float(0.0f), Float(2.0f * SCATTERED_SHARE) / sqrt(max(density, Float(1.0e-3f)) * Float(PI)), Float(0.0f));
+}
+
 // ---- One vertex --------------------------------------------------------------------------------------------------------------------------
 
 // From the path's ray to the next one. `depth` counts the vertices before this one.
@@ -232,7 +250,8 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
     ray.origin = path.origin;
     ray.direction = path.direction;
     ray.reach = Float(FAR);
-    Hit hit = closest_hit(world, ray, path.alive);
+    Float passed = Float(0.0f);
+    Hit hit = closest_there(world, path.numbers, DECISION_LAYERS + depth * DECISIONS_OF_LAYERS, path.alive, ray, passed);
     Mask here = both(path.alive, is_above(hit.object, Int(-1)));
     Mask missed = without(path.alive, here);
     if (world.environment >= 0 && some(missed)) {
@@ -245,10 +264,17 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
     }
     if (some(here)) {
         PathVertex vertex = no_vertex();
-        find_vertex(world, ray, hit, path.nanometres, here, vertex);
+        Float distance = passed + hit.t;
+        path.width = path.width + path.spread * distance;
+        Float which = Float(0.0f);
+        if (world.has_choices != 0) {
+            Vec2 u = decide(path, depth, DECISION_SURVIVAL);
+            which = u.y;
+        }
+        find_vertex(world, ray, hit, path.width, which, path.nanometres, here, vertex);
         if (world.has_transparency != 0) {
             Int medium = medium_before(path.media, vertex.material, vertex.inside);
-            Spectrum left_over = left_of_light(world, select(vertex.inside, medium, path.media.first), hit.t, path.nanometres, here);
+            Spectrum left_over = left_of_light(world, select(vertex.inside, medium, path.media.first), distance, path.nanometres, here);
             path.throughput = path.throughput * left_over;
         }
         Mask shining = without(here, is_black(vertex.emission));
@@ -264,8 +290,11 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
         Vec3 view = -ray.direction;
         Vec3 normal = select(vertex.inside, -vertex.point.normal, vertex.point.normal);
         Vec3 shading = select(vertex.inside, -vertex.point.shading, vertex.point.shading);
-        shading = select(dot(shading, view) > Float(0.0f), shading, normal);
+        shading = seen_normal(normal, shading, view);
         Frame frame = frame_around(shading);
+        if (world.has_directions != 0) {
+            frame = frame_along(shading, vertex.point.along_u);
+        }
         Vec3 wo = to_local(frame, view);
         Mask thin = is_equal(vertex.closure.kind, Int(BSDF_THIN_DIELECTRIC));
         Mask clear = both(here, either(is_clear(vertex.closure), thin));
@@ -292,6 +321,9 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
             going = both(both(going, next.valid), right_side);
             path.throughput = path.throughput * next.weight;
             path.density = next.density;
+            if (world.beam > 0.0f) {
+                path.spread = max(path.spread, scattered_spread(next.density));
+            }
             path.origin = leave_surface(vertex.point.position, vertex.point.error, normal, direction);
             path.direction = direction;
             Mask crosses = without(both(going, next.transmits), sheet);

@@ -177,7 +177,7 @@ FN Vec3 placed_rounding(IN(PlacedRecord) shape) {
 const float ROOM = 8.0f;
 
 FN SurfacePoint placed_surface(IN(PlacedRecord) shape, int kind, IN(Ray) ray, Float t) {
-    SurfacePoint s;
+    SurfacePoint s = no_surface();
     Vec3 o = apply_affine(shape.to_object, ray.origin);
     Vec3 d = apply_linear(shape.to_object, ray.direction);
     Vec3 p = o + d * t;

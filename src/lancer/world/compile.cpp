@@ -73,6 +73,8 @@ void compile_physics(const scene::Scene& scene, World& world) {
     world.seed = scene.settings.seed;
     compile_filter(scene.settings, world);
     world.spectral = !scene.settings.rgb;
+    // Each of a pixel's samples stands for its share of the pixel. An eighth of its width is as fine as textures are worth looking at.
+    world.beam = static_cast<float>(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(std::max(scene.settings.spp, 1)))));
     if (world.spectral) {
         for (int i = 0; i < kernel::WAVELENGTH_COUNT; ++i) {
             world.observer.push_back(to_float(sensor_weight(static_cast<double>(kernel::FIRST_WAVELENGTH) + i)));
@@ -134,6 +136,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     if (physical) {
         compile_physics(scene, *world);
         compile_surfaces(scene, *world, textures, colors, diagnostics);
+        world->beam = world->textures.empty() ? 0.0f : world->beam;
     }
     const std::vector<FlatObject> flat = flatten(scene);
     compile_names(scene, flat, *world);

@@ -109,9 +109,8 @@ public:
 private:
     bool keeps_own_space(const FlatObject& flat) const {
         const auto material = static_cast<std::size_t>(flat.material);
-        const bool textured =
-            world_.materials[material].texture >= 0 || (!world_.surfaces.empty() && world_.surfaces[material].color.texture >= 0);
-        return textured && !is_identity(flat.to_world);
+        const bool mapped = !world_.surfaces.empty() && (world_.surfaces[material].flags & kernel::MATERIAL_MAPPED) != 0;
+        return (world_.materials[material].texture >= 0 || mapped) && !is_identity(flat.to_world);
     }
 
     // Points are drawn from lamps in their canonical space.
@@ -242,14 +241,15 @@ private:
         world_.positions.insert(world_.positions.end(), data.positions.begin(), data.positions.end());
         if (mesh.smooth && !data.normals.empty()) {
             record.flags |= kernel::MESH_HAS_NORMALS;
-            world_.normals.resize(static_cast<std::size_t>(record.first_vertex));
-            world_.normals.insert(world_.normals.end(), data.normals.begin(), data.normals.end());
+            append(data.normals, static_cast<std::size_t>(record.first_vertex), world_.normals);
         }
-        if (!data.uvs.empty()) {
-            record.flags |= kernel::MESH_HAS_UVS;
-            world_.uvs.resize(static_cast<std::size_t>(record.first_vertex));
-            world_.uvs.insert(world_.uvs.end(), data.uvs.begin(), data.uvs.end());
-        }
+        const auto first_vertex = static_cast<std::size_t>(record.first_vertex);
+        record.flags |= append(data.uvs, first_vertex, world_.uvs) ? kernel::MESH_HAS_UVS : 0;
+        record.flags |= append(data.second_uvs, first_vertex, world_.second_uvs) ? kernel::MESH_HAS_SECOND_UVS : 0;
+        record.flags |= append(data.tangents, first_vertex, world_.tangents) ? kernel::MESH_HAS_TANGENTS : 0;
+        record.flags |= append(data.colors, first_vertex, world_.colors) ? kernel::MESH_HAS_COLORS : 0;
+        const auto first_triangle = static_cast<std::size_t>(record.first_triangle);
+        record.flags |= append(data.face_colors, first_triangle, world_.face_colors) ? kernel::MESH_HAS_FACE_COLORS : 0;
         world_.indices.reserve(world_.indices.size() + 3 * data.triangles.size());
         for (const glm::uvec3& triangle : data.triangles) {
             world_.indices.insert(world_.indices.end(),
@@ -259,6 +259,17 @@ private:
         world_.meshes.push_back(record);
         meshes_[key] = number;
         return number;
+    }
+
+    // Puts what the mesh has of something, if anything, at its place in the table.
+    template <class T>
+    static bool append(const std::vector<T>& values, std::size_t first, std::vector<T>& table) {
+        if (values.empty()) {
+            return false;
+        }
+        table.resize(first);
+        table.insert(table.end(), values.begin(), values.end());
+        return true;
     }
 
     // With the kernel's own arithmetic, so that the corners are the very ones that a tree would compare with.

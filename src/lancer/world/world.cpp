@@ -27,9 +27,17 @@ kernel::WorldRecord World::record() const {
     r.positions = positions.data();
     r.normals = normals.data();
     r.uvs = uvs.data();
+    r.second_uvs = second_uvs.data();
+    r.tangents = tangents.data();
+    r.colors = colors.data();
+    r.face_colors = face_colors.data();
     r.indices = indices.data();
     r.textures = textures.data();
+    r.levels = levels.data();
     r.texels = texels.data();
+    r.float_texels = float_texels.data();
+    r.decoding = decoding.data();
+    r.inputs = inputs.data();
     r.materials = materials.data();
     r.media = media.data();
     r.surfaces = surfaces.data();
@@ -68,6 +76,10 @@ kernel::WorldRecord World::record() const {
     r.sky_nadir = sky_nadir;
     r.bounces = bounces;
     r.min_weight = min_weight;
+    r.beam = beam;
+    r.has_choices = has_choices ? 1 : 0;
+    r.has_cuts = has_cuts ? 1 : 0;
+    r.has_directions = has_directions ? 1 : 0;
     r.has_transparency = has_transparency ? 1 : 0;
     r.ambient = ambient;
     r.zenith = zenith;
@@ -80,6 +92,7 @@ kernel::WorldRecord World::record() const {
 std::size_t World::memory() const {
     return bytes(spheres) + bytes(boxes) + bytes(planes) + bytes(placed) + bytes(triangles) + bytes(meshes) + bytes(instances) +
            bytes(objects) + bytes(positions) + bytes(normals) + bytes(uvs) + bytes(indices) + bytes(textures) + bytes(texels) +
+           bytes(float_texels) + bytes(second_uvs) + bytes(tangents) + bytes(colors) + bytes(face_colors) + bytes(levels) + bytes(inputs) +
            bytes(materials) + bytes(media) + bytes(surfaces) + bytes(emitters) + bytes(distributions) + bytes(curves) + bytes(observer) +
            bytes(lights) + bytes(bands);
 }

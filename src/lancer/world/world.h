@@ -30,9 +30,17 @@ public:
     std::vector<kernel::vec3> positions;  // and one more at the end, which no triangle uses
     std::vector<kernel::vec3> normals;    // as long as positions where any mesh has normals
     std::vector<kernel::vec2> uvs;        // as long as positions where any mesh has texture coordinates
+    std::vector<kernel::vec2> second_uvs;
+    std::vector<kernel::vec4> tangents;
+    std::vector<kernel::vec4> colors;
+    std::vector<kernel::vec4> face_colors;  // as long as the triangles where any mesh has colours of faces
     std::vector<int> indices;
     std::vector<kernel::TextureRecord> textures;
-    std::vector<kernel::vec3> texels;
+    std::vector<int> levels;  // of the textures' pictures, see TextureRecord
+    std::vector<int> texels;  // bytes, four to an int
+    std::vector<float> float_texels;
+    std::vector<float> decoding;  // where bytes of some picture are sRGB
+    std::vector<kernel::InputRecord> inputs;
     std::vector<kernel::WhittedRecord> materials;
     std::vector<kernel::MediumRecord> media;       // of materials[i]
     std::vector<kernel::MaterialRecord> surfaces;  // of materials[i]
@@ -75,6 +83,10 @@ public:
     int seed = 0;
     int bounces = 0;
     float min_weight = 0.0f;
+    float beam = 0.0f;
+    bool has_choices = false;
+    bool has_cuts = false;
+    bool has_directions = false;
     bool has_transparency = false;
 
     // All of it by address, as the kernel takes it.
