@@ -3,7 +3,6 @@
 #define LANCER_KERNEL_MATERIAL_H
 
 #include "lancer/kernel/bsdf/visible_color.h"
-#include "lancer/kernel/bsdf/closure.h"
 #include "lancer/kernel/inputs.h"
 #include "lancer/kernel/refraction.h"
 #include "lancer/kernel/relief.h"
@@ -107,15 +106,6 @@ FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, 
     return c;
 }
 
-// As seen from the other end of the ray.
-FN Vec3 material_albedo(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) point, Vec3 direction, Vec4 nanometres,
-                        Mask mask) {
-    WorldRecord in_rgb = world;
-    in_rgb.spectral = 0;
-    Spectrum color = visible_color(material_closure(in_rgb, material, point, nanometres, mask), abs(dot(point.shading, direction)));
-    return vec3_of(color.x, color.y, color.z);
-}
-
 // The point with everything that a material's textures may ask for. `width`: diameter of the path's beam there, in metres.
 FN SurfacePoint textured_surface(IN(WorldRecord) world, IN(ObjectRecord) object, int flags, IN(Ray) ray, IN(Hit) hit, Float width,
                                  Mask mask) {
@@ -132,9 +122,18 @@ FN SurfacePoint textured_surface(IN(WorldRecord) world, IN(ObjectRecord) object,
     return s;
 }
 
+// As seen from the other end of the ray.
+FN Vec3 material_albedo(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) point, Vec3 direction, Vec4 nanometres,
+                        Mask mask) {
+    WorldRecord in_rgb = world;
+    in_rgb.spectral = 0;
+    Spectrum color = visible_color(material_closure(in_rgb, material, point, nanometres, mask), abs(dot(point.shading, direction)));
+    return vec3_of(color.x, color.y, color.z);
+}
+
 // What the lanes of `mine` find of one material at their points.
-FN void take_material(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) s, Vec3 direction, Mask inside, Vec4 nanometres, Mask mine,
-                      INOUT(PathVertex) vertex) {
+FN void take_material(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) s, Vec3 direction, Mask inside, Vec4 nanometres,
+                      Mask mine, INOUT(PathVertex) vertex) {
     Closure c = material_closure(world, material, s, nanometres, mine);
     if ((material.flags & MATERIAL_ONE_SIDED) != 0) {
         c.kind = select(inside, Int(BSDF_NONE), c.kind);

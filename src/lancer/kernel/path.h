@@ -222,13 +222,6 @@ FN void find_border(IN(WorldRecord) world, IN(PathState) path, Mask clear, Mask 
     vertex.closure.index = select(clear, eta, vertex.closure.index);
 }
 
-// What one step met. Filled where `world.watched`.
-struct Sight {
-    Hit hit;
-    PathVertex vertex;
-    Spectrum met;  // the radiance found so far, but for light that was asked for from this vertex
-};
-
 // A direction drawn with that density stands for its share of all directions: a cone of the solid angle 1 / density. The beam takes part of its
 // width, so that distant textures are looked up in small copies, and what is lost of them is finer than the light that they scatter can show.
 const float SCATTERED_SHARE = 0.125f;
@@ -236,6 +229,13 @@ const float SCATTERED_SHARE = 0.125f;
 FN Float scattered_spread(Float density) {
     return select(density > Float(0.0f), Float(2.0f * SCATTERED_SHARE) / sqrt(max(density, Float(1.0e-3f)) * Float(PI)), Float(0.0f));
 }
+
+// What one step met. Filled where `world.watched`.
+struct Sight {
+    Hit hit;
+    PathVertex vertex;
+    Spectrum met;  // the radiance found so far, but for light that was asked for from this vertex
+};
 
 // ---- One vertex --------------------------------------------------------------------------------------------------------------------------
 
@@ -260,6 +260,7 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
     path.alive = here;
     if (world.watched != 0) {
         sight.hit = hit;
+        sight.hit.t = passed + hit.t;
         sight.met = path.radiance;
     }
     if (some(here)) {
