@@ -5,6 +5,7 @@
     blob.ply         an icosahedron, subdivided and dented; ascii, with normals
     gem.obj          a round brilliant: 57 facets and a faceted girdle
     vase.obj         a turned vase, with normals and texture coordinates
+    goblet.ply, wine.ply  a wine glass of height 2.2, and what is in it: wine that reaches a little into the glass; binary, with normals
     pawn.ply, queen.ply, bishop.ply, king.ply, rook.ply   turned chessmen; binary, with normals
 """
 import math
@@ -178,7 +179,7 @@ def spline(points, steps):
                 line.append([0.5 * (2 * b + (c - a) * t + (2 * a - 5 * b + 4 * c - d) * t * t + (3 * b - a - 3 * c + d) * t ** 3)
                              for a, b, c, d in zip(p0, p1, p2, p3)])
         line.append(q[-1])
-        result.append([[max(r, 0.0), h] for r, h in line])
+        result.append([[r if r > 1e-9 else 0.0, h] for r, h in line])
     return result
 
 
@@ -194,7 +195,7 @@ def lathe(points, around, steps):
             nr, nh = after[1] - before[1], before[0] - after[0]
             size = math.hypot(nr, nh) or 1.0
             for j in range(around + 1):
-                a = 2 * math.pi * j / around
+                a = 2 * math.pi * (j % around) / around  # the seam closes to the last bit
                 positions.append([r * math.cos(a), h, -r * math.sin(a)])
                 normals.append([nr / size * math.cos(a), nh / size, -nr / size * math.sin(a)])
                 uvs.append([j / around, (h - bottom) / (top - bottom)])
@@ -218,6 +219,16 @@ def vase():
     lines += ["f " + " ".join(f"{i + 1}/{i + 1}/{i + 1}" for i in t) for t in triangles]
     with open(os.path.join(HERE, "vase.obj"), "w") as file:
         file.write("\n".join(lines) + "\n")
+
+
+def goblet():
+    glass = [[0, 0], [0.7, 0], [0.7, 0], [0.7, 0.025], [0.7, 0.025], [0.4, 0.06], [0.12, 0.13], [0.07, 0.3], [0.06, 0.6], [0.08, 0.9], [0.2, 1.03],
+             [0.45, 1.2], [0.62, 1.5], [0.62, 1.85], [0.54, 2.2], [0.54, 2.2], [0.52, 2.2], [0.52, 2.2], [0.595, 1.85], [0.595, 1.5], [0.43, 1.23],
+             [0.19, 1.07], [0, 1.03]]
+    wine = [[0, 1.02], [0.195, 1.06], [0.437, 1.222], [0.604, 1.5], [0.607, 1.6], [0.607, 1.6], [0, 1.6]]
+    for name, line in (("goblet", glass), ("wine", wine)):
+        positions, normals, _, triangles = lathe(line, 72, 6)
+        write_ply(name + ".ply", positions, normals, triangles, True)
 
 
 FOOT = [[0, 0], [0.40, 0], [0.40, 0], [0.42, 0.05], [0.41, 0.12], [0.36, 0.17], [0.36, 0.17], [0.37, 0.21], [0.33, 0.27]]
@@ -250,4 +261,5 @@ if __name__ == "__main__":
     blob()
     brilliant()
     vase()
+    goblet()
     chessmen()

@@ -6,6 +6,9 @@
     planet.png  continents of noise, for a sphere
     wood.png    rings of a tree, cut along; repeats from top to bottom
     sky.hdr     an afternoon: a low sun and soft clouds over a plain, as radiance all around
+    leaf.png    a leaf; what is not leaf has alpha 0
+    studs.png   normals of round studs in a plate: red to the right, green upwards, blue outwards; numbers, no colours
+    scratches.png   streaks along u, white where a surface is worn; numbers, no colours
 """
 import colorsys
 import math
@@ -23,7 +26,8 @@ FONT = {"A": "01110 10001 10001 11111 10001 10001 10001", "B": "11110 10001 1000
 
 
 def write_png(name, width, height, color):
-    """color(x, y) gives (r, g, b) from 0 to 1 as stored, y from the top."""
+    """color(x, y) gives (r, g, b) or (r, g, b, alpha) from 0 to 1 as stored, y from the top."""
+    kind_of_png = 6 if len(color(0, 0)) == 4 else 2
     rows = bytearray()
     for y in range(height):
         rows.append(0)
@@ -34,7 +38,7 @@ def write_png(name, width, height, color):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
     with open(os.path.join(HERE, name), "wb") as file:
-        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
+        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, kind_of_png, 0, 0, 0)) +
                    chunk(b"IDAT", zlib.compress(bytes(rows), 9)) + chunk(b"IEND", b""))
 
 
@@ -206,9 +210,62 @@ def sky():
     write_hdr("sky.hdr", width, height, color)
 
 
+def leaf():
+    size = 256
+
+    def color(x, y):
+        u, v = (x + 0.5) / size * 2 - 1, 1 - (y + 0.5) / size * 2  # v upwards
+        along = (v + 0.9) / 1.75
+        half = 0.62 * math.sin(math.pi * min(1.0, max(0.0, along)) ** 0.75) ** 0.9 + 0.03 * math.cos(40 * along)
+        stem = abs(u) < 0.025 and -0.98 < v < 0.8
+        inside = 0 < along < 1 and abs(u) < half
+        ribs = abs(math.sin(9 * (v - 0.55 * abs(u)) * math.pi / 2))
+        green = mix((0.20, 0.42, 0.10), (0.42, 0.58, 0.18), smooth(ribs))
+        if stem or (inside and ribs < 0.12):
+            green = (0.55, 0.66, 0.30)
+        return green + ((1.0,) if inside or stem else (0.0,))
+
+    write_png("leaf.png", size, size, color)
+
+
+def studs():
+    size = 128
+
+    def color(x, y):
+        u, v = (x + 0.5) / size * 2 - 1, 1 - (y + 0.5) / size * 2
+        r = math.hypot(u, v)
+        nx, ny, nz = 0.0, 0.0, 1.0
+        if r < 0.6:
+            nx, ny = 1.3 * u, 1.3 * v
+            nz = math.sqrt(max(0.0, 1 - nx * nx - ny * ny))
+        edge = max(abs(u), abs(v))
+        if edge > 0.94:
+            nx = math.copysign(0.5, -u) if abs(u) > 0.94 else 0.0
+            ny = math.copysign(0.5, -v) if abs(v) > 0.94 else 0.0
+        length = math.sqrt(nx * nx + ny * ny + nz * nz)
+        return (0.5 + 0.5 * nx / length, 0.5 + 0.5 * ny / length, 0.5 + 0.5 * nz / length)
+
+    write_png("studs.png", size, size, color)
+
+
+def scratches():
+    width, height = 256, 256
+
+    def color(x, y):
+        worn = clouds(x / 32, y / 32, 2.5, 4)
+        streak = noise(x / 24, y / 1.5, 0.5)
+        t = smooth(min(1.0, max(0.0, (worn - 0.42) * 5))) * 0.75 + 0.25 * streak
+        return (t, t, t)
+
+    write_png("scratches.png", width, height, color)
+
+
 if __name__ == "__main__":
     grid()
     tiles()
     planet()
     wood()
     sky()
+    leaf()
+    studs()
+    scratches()

@@ -161,7 +161,7 @@ const Mistake materials[] = {
     {"List", "[[material]]\n", {":1:1: error: materials are written as [material.NAME], not as [[material]]"}},
     {"Model",
      "[material.m]\ntype = 'phong'\n",
-     {":2:8: error: there is no material of type \"phong\"; known are whitted, diffuse, conductor, dielectric, plastic, principled"}},
+     {":2:8: error: there is no material of type \"phong\"; known are whitted, diffuse, conductor, dielectric, plastic, principled, mix"}},
     {"Key", "[material.m]\nrefectivity = 1\n", {":2:1: error: a material has no \"refectivity\"; did you mean \"reflectivity\"?"}},
     {"NegativeShare", "[material.m]\ndiffuse = -0.1\n", {":2:11: error: \"diffuse\" must be from 0 to 1, not -0.1"}},
     {"LargeShare", "[material.m]\nreflectivity = 1.5\n", {":2:16: error: \"reflectivity\" must be from 0 to 1, not 1.5"}},
@@ -181,13 +181,37 @@ const Mistake materials[] = {
     {"ColorTooBright", "[material.m]\ncolor = [0, 2, 0]\n", {":2:13: error: \"color\" must be from 0 to 1, not 2"}},
     {"Texture",
      "[material.m]\ncolor = { type = 'marble' }\n",
-     {":2:18: error: a texture needs \"type\": \"checker\" or \"image\", not \"marble\""}},
+     {":2:18: error: a texture needs \"type\": \"checker\", \"image\", \"vertex_color\" or \"face_color\", not \"marble\""}},
     {"TextureWithoutType",
      "[material.m]\ncolor = { first = 'red' }\n",
-     {":2:9: error: a texture needs \"type\": \"checker\" or \"image\""}},
+     {":2:9: error: a texture needs \"type\": \"checker\", \"image\", \"vertex_color\" or \"face_color\""}},
     {"CheckerSize",
      "[material.m]\ncolor = { type = 'checker', size = 0 }\n",
      {":2:36: error: \"size\" must be from 1e-06 to 1000000000, not 0"}},
+    {"Value",
+     "[material.m]\ntype = 'plastic'\nroughness = 'high'\n",
+     {":3:13: error: \"roughness\" must be a number or { texture, channel, scale, offset }, not a string"}},
+    {"ValueWithoutTexture",
+     "[material.m]\ntype = 'plastic'\nroughness = { channel = 'green' }\n",
+     {":3:13: error: a number from a texture needs \"texture\""}},
+    {"ValueChannel",
+     "[material.m]\ntype = 'plastic'\nroughness = { texture = { type = 'checker' }, channel = 'grey' }\n",
+     {":3:57: error: \"channel\" must be \"red\", \"green\", \"blue\" or \"alpha\", not \"grey\""}},
+    {"ValueTooLarge", "[material.m]\ntype = 'plastic'\nroughness = 2\n", {":3:13: error: \"roughness\" must be from 0 to 1, not 2"}},
+    {"CutoffAlone",
+     "[material.m]\ntype = 'diffuse'\nopacity_cutoff = 0.5\n",
+     {":3:18: error: \"opacity_cutoff\" needs \"opacity\" beside it"}},
+    {"BehindAndOneSided",
+     "[material.m]\ntype = 'diffuse'\nbehind = { type = 'diffuse' }\none_sided = true\n",
+     {":4:13: error: a material has either \"behind\" or one_sided = true"}},
+    {"NormalScaleAlone",
+     "[material.m]\ntype = 'diffuse'\nnormal_scale = 2\n",
+     {":3:16: error: \"normal_scale\" needs \"normal_map\" beside it"}},
+    {"NormalColor",
+     "[material.m]\ntype = 'diffuse'\nnormal_map = 'red'\n",
+     {":3:14: error: \"normal_map\" must be a texture: a color bends all normals alike"}},
+    {"MixWithoutSecond", "[material.m]\ntype = 'mix'\nfirst = { type = 'diffuse' }\n", {":1:1: error: a material needs \"second\""}},
+    {"MixOfNothing", "[material.m]\ntype = 'mix'\nfirst = 'm'\nsecond = 'n'\n", {":4:10: error: there is no material \"n\"; there are m"}},
     {"ImageMissing",
      "[material.m]\ncolor = { type = 'image', file = 'no.png' }\n",
      {":2:34: error: cannot read \"no.png\": there is no such file"}},
@@ -391,8 +415,8 @@ TEST(TomlMistakes, StopsListingAfterAHundred) {
 TEST(ImportScene, ExplainsWhatCannotBeRead) {
     const TemporaryFolder folder;
     EXPECT_EQ(read_path(folder / "no.toml").all(), "error: cannot read \"" + (folder / "no.toml") + "\": there is no such file\n");
-    EXPECT_EQ(read_path("x.blend").all(), "error: cannot tell what \"x.blend\" is: scenes end with one of .toml, .obj, .ply\n");
-    EXPECT_EQ(read_path("x").all(), "error: cannot tell what \"x\" is: scenes end with one of .toml, .obj, .ply\n");
+    EXPECT_EQ(read_path("x.blend").all(), "error: cannot tell what \"x.blend\" is: scenes end with one of .toml, .obj, .ply, .pbrt\n");
+    EXPECT_EQ(read_path("x").all(), "error: cannot tell what \"x\" is: scenes end with one of .toml, .obj, .ply, .pbrt\n");
     std::filesystem::create_directory(folder / "folder.toml");
     EXPECT_EQ(read_path(folder / "folder.toml").all(), "error: cannot read \"" + (folder / "folder.toml") + "\": it is a folder\n");
     const std::string large = folder.write("large.toml", "");

@@ -292,6 +292,85 @@ position = [0, 0, 9]
     EXPECT_EQ(image.position.line, 5);
 }
 
+TEST(Toml, ReadsNumbersFromTextures) {
+    const TemporaryFolder folder;
+    folder.write("a.png", "not looked into here");
+    const Reading reading = read_text(R"(
+[material.m]
+type = "principled"
+roughness = { texture = { type = "image", file = "a.png", wrap_v = "clamp", rotation = 90, uv_set = 1 }, channel = "green", scale = 0.5, offset = 0.1 }
+metalness = 0.7
+sheen = { type = "vertex_color" }
+coat = { texture = { type = "face_color" } }
+normal_map = { type = "image", file = "a.png", encoding = "srgb" }
+normal_scale = 0.5
+normal_flip_green = true
+opacity = { texture = { type = "image", file = "a.png" }, channel = "alpha" }
+opacity_cutoff = 0.5
+[material.later]
+type = "mix"
+first = "last"
+second = { type = "diffuse" }
+share = 0.3
+behind = "m"
+[material.last]
+type = "diffuse"
+one_sided = true
+bump = { texture = { type = "checker" }, scale = 0.01 }
+[[sphere]]
+material = "later"
+[[light]]
+type = "point"
+position = [0, 0, 9]
+)",
+                                      folder / "scene.toml");
+    ASSERT_TRUE(reading.scene) << reading.all();
+    const scene::Material& m = reading.scene->materials[0];
+    const auto& model = std::get<scene::PrincipledMaterial>(m.model);
+    const auto& image = std::get<scene::ImageTexture>(model.roughness.texture.value());
+    EXPECT_TRUE(image.linear) << "numbers are not encoded";
+    EXPECT_EQ(image.wrap, scene::Wrap::repeat);
+    EXPECT_EQ(image.wrap_v, scene::Wrap::clamp);
+    EXPECT_EQ(image.rotation, 90.0);
+    EXPECT_EQ(image.uv_set, 1);
+    EXPECT_EQ(image.filter, scene::Filter::mipmaps);
+    EXPECT_EQ(model.roughness.channel, scene::Channel::green);
+    EXPECT_EQ(model.roughness.scale, 0.5);
+    EXPECT_EQ(model.roughness.offset, 0.1);
+    EXPECT_EQ(model.metalness.number, 0.7);
+    EXPECT_FALSE(std::get<scene::MeshColors>(model.sheen).of_faces);
+    EXPECT_TRUE(std::get<scene::MeshColors>(model.coat.texture.value()).of_faces);
+    EXPECT_FALSE(std::get<scene::ImageTexture>(m.relief.normals.value()).linear);
+    EXPECT_EQ(m.relief.scale, 0.5);
+    EXPECT_TRUE(m.relief.flips_green);
+    EXPECT_EQ(m.opacity.channel, scene::Channel::alpha);
+    EXPECT_EQ(m.opacity_cutoff, 0.5);
+    const scene::Material& mix = reading.scene->materials[1];
+    EXPECT_EQ(std::get<scene::MixMaterial>(mix.model).first, 2);
+    EXPECT_EQ(std::get<scene::MixMaterial>(mix.model).second, 3);
+    EXPECT_EQ(std::get<scene::MixMaterial>(mix.model).share.number, 0.3);
+    EXPECT_EQ(mix.behind, 0);
+    EXPECT_TRUE(reading.scene->materials[2].one_sided);
+    EXPECT_EQ(reading.scene->materials[2].relief.heights.value().scale, 0.01);
+}
+
+TEST(Toml, ReadsColorsOfMeshes) {
+    const scene::Scene s = read_part(R"(
+[[mesh]]
+positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+triangles = [[0, 0, 1], [0, 1, 2]]
+colors = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+face_colors = [[1, 1, 0], [0.5, 0.25, 0]]
+)");
+    const scene::TriangleMesh& mesh = *std::get<scene::Mesh>(s.objects[0].shape).data;
+    EXPECT_EQ(mesh.colors, (std::vector<glm::vec4>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}}));
+    EXPECT_EQ(mesh.face_colors, (std::vector<glm::vec4>{{0.5f, 0.25f, 0, 1}})) << "that of the needle went with it";
+    const Reading wrong =
+        read_text("[[mesh]]\npositions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\ntriangles = [[0, 1, 2]]\ncolors = [[1, 0, 0]]\n");
+    EXPECT_NE(wrong.all().find(":4:10: error: \"colors\" must have one entry for each of the 3 positions, not 1"), std::string::npos)
+        << wrong.all();
+}
+
 TEST(Toml, ReadsRefraction) {
     const scene::Scene s = read_part(R"(
 [[sphere]]

@@ -6,6 +6,7 @@
 
 #include "lancer/kernel/bsdf/bsdf.h"
 #include "lancer/kernel/camera.h"
+#include "lancer/kernel/cuts.h"
 #include "lancer/kernel/emitter/emitter.h"
 #include "lancer/kernel/intersect.h"
 #include "lancer/kernel/medium.h"
@@ -28,6 +29,8 @@ struct PathState {
     Vec3 facing;    // normal of the surface that it left, where nothing comes through that; else 0
     Float density;  // with which `direction` was drawn; 0: it could not have been found by asking an emitter
     Float squeeze;  // product of squared indices by which radiance was squeezed together, left out of Russian roulette
+    Float width;    // of the beam where it starts: a diameter, in metres
+    Float spread;   // by which it grows a metre
     Sampler numbers;
     UInt scattered;  // how often, by kind: eleven bits for diffuse, eleven for glossy, ten for transmission
     Media media;
@@ -59,6 +62,13 @@ FN PathState start_path(IN(WorldRecord) world, Float pixel_x, Float pixel_y, UIn
     path.density = Float(0.0f);
     path.squeeze = Float(1.0f);
     path.scattered = UInt(0u);
+    path.width = Float(0.0f);
+    path.spread = Float(0.0f);
+    if (world.beam > 0.0f) {
+        Vec2 beam = pixel_beam(world.camera, pixel_x, pixel_y);
+        path.width = beam.x * Float(world.beam);
+        path.spread = beam.y * Float(world.beam);
+    }
     path.media = no_media();
     path.alive = alive;
     return path;
@@ -183,8 +193,8 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
         }
         if (some(going)) {
             tally.shadow += lanes_in(going);
-            Mask hidden = occluded(world, shadow, going);
-            Mask lit = without(going, hidden);
+            Float passes = passing_light(world, shadow, going);
+            Mask lit = both(going, passes > Float(0.0f));
             if (world.has_transparency != 0) {
                 Mask near = both(lit, shadow.reach < Float(FAR));
                 Int medium = select(wi.z > Float(0.0f), front, behind);
@@ -192,7 +202,7 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
             }
             Float asked = density * chosen.chance;
             Float weight = asked_weight(world, asked, value.density, discrete);
-            path.radiance = select(lit, path.radiance + path.throughput * value.value * light * weight, path.radiance);
+            path.radiance = select(lit, path.radiance + path.throughput * value.value * light * (weight * passes), path.radiance);
         }
     }
 }
@@ -223,10 +233,25 @@ FN void find_border(IN(WorldRecord) world, IN(PathState) path, Mask clear, Mask 
     vertex.closure.index = select(clear, eta, vertex.closure.index);
 }
 
+// A direction drawn with that density stands for its share of all directions: a cone of the solid angle 1 / density. The beam takes part of its
+// width, so that distant textures are looked up in small copies, and what is lost of them is finer than the light that they scatter can show.
+const float SCATTERED_SHARE = 0.125f;
+
+FN Float scattered_spread(Float density) {
+    return select(density > Float(0.0f), Float(2.0f * SCATTERED_SHARE) / sqrt(max(density, Float(1.0e-3f)) * Float(PI)), Float(0.0f));
+}
+
+// What one step met. Filled where `world.watched`.
+struct Sight {
+    Hit hit;
+    PathVertex vertex;
+    Spectrum met;  // the radiance found so far, but for light that was asked for from this vertex
+};
+
 // ---- One vertex --------------------------------------------------------------------------------------------------------------------------
 
 // From the path's ray to the next one. `depth` counts the vertices before this one.
-FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path, INOUT(RayTally) tally) {
+FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path, INOUT(Sight) sight, INOUT(RayTally) tally) {
     if (depth == 0) {
         tally.camera += lanes_in(path.alive);
     } else {
@@ -236,7 +261,8 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
     ray.origin = path.origin;
     ray.direction = path.direction;
     ray.reach = Float(FAR);
-    Hit hit = closest_hit(world, ray, path.alive);
+    Float passed = Float(0.0f);
+    Hit hit = closest_there(world, path.numbers, DECISION_LAYERS + depth * DECISIONS_OF_LAYERS, path.alive, ray, passed);
     Mask here = both(path.alive, is_above(hit.object, Int(-1)));
     Mask missed = without(path.alive, here);
     bool seen = depth > 0 || world.sky.visible != 0;
@@ -244,28 +270,47 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
         meet_surroundings(world, missed, path);
     }
     path.alive = here;
+    if (world.watched != 0) {
+        sight.hit = hit;
+        sight.hit.t = passed + hit.t;
+        sight.met = path.radiance;
+    }
     if (some(here)) {
         PathVertex vertex = no_vertex();
-        find_vertex(world, ray, hit, path.nanometres, here, vertex);
+        Float distance = passed + hit.t;
+        path.width = path.width + path.spread * distance;
+        Float which = Float(0.0f);
+        if (world.has_choices != 0) {
+            Vec2 u = decide(path, depth, DECISION_SURVIVAL);
+            which = u.y;
+        }
+        find_vertex(world, ray, hit, path.width, which, path.nanometres, here, vertex);
         Mask thin = is_equal(vertex.closure.kind, Int(BSDF_THIN_DIELECTRIC));
         Mask body = both(here, is_clear(vertex.closure));
         Int front = path.media.first;
         if (world.has_transparency != 0) {
             front = select(both(body, vertex.inside), medium_before(path.media, vertex.material, vertex.inside), front);
-            Spectrum left_over = left_of_light(world, front, hit.t, path.nanometres, here);
+            Spectrum left_over = left_of_light(world, front, distance, path.nanometres, here);
             path.throughput = path.throughput * left_over;
         }
         Mask shining = without(here, is_black(vertex.emission));
         if (some(shining)) {
             meet_emitter(world, vertex, hit.part, shining, path);
         }
+        if (world.watched != 0) {
+            sight.vertex = vertex;
+            sight.met = path.radiance;
+        }
 
         // The surface, turned to the path's side.
         Vec3 view = -ray.direction;
         Vec3 normal = select(vertex.inside, -vertex.point.normal, vertex.point.normal);
         Vec3 shading = select(vertex.inside, -vertex.point.shading, vertex.point.shading);
-        shading = select(dot(shading, view) > Float(0.0f), shading, normal);
+        shading = seen_normal(normal, shading, view);
         Frame frame = frame_around(shading);
+        if (world.has_directions != 0) {
+            frame = frame_along(shading, vertex.point.along_u);
+        }
         Vec3 wo = to_local(frame, view);
         Mask clear = either(body, both(here, thin));
         Mask sheet = either(thin, vertex.closure.thin);
@@ -301,6 +346,9 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
             path.throughput = path.throughput * next.weight;
             path.density = next.density;
             path.facing = facing;
+            if (world.beam > 0.0f) {
+                path.spread = max(path.spread, scattered_spread(next.density));
+            }
             path.origin = leave_surface(vertex.point.position, vertex.point.error, normal, direction);
             path.direction = direction;
             Mask crosses = without(both(going, next.transmits), sheet);

@@ -192,7 +192,7 @@ FN Vec2 placed_uv(int kind, Vec3 p, Vec3 n) {
 }
 
 FN SurfacePoint placed_surface(IN(PlacedRecord) shape, int kind, IN(Ray) ray, Float t) {
-    SurfacePoint s;
+    SurfacePoint s = no_surface();
     Vec3 o = apply_affine(shape.to_object, ray.origin);
     Vec3 d = apply_linear(shape.to_object, ray.direction);
     Vec3 p = o + d * t;

@@ -17,10 +17,12 @@ const int DECISION_LENS = 1;        // place on the lens
 const int DECISION_WAVELENGTH = 2;  // first number only
 const int DECISION_BOUNCES = 4;     // from here on, so many for each vertex of the path:
 const int DECISIONS_A_BOUNCE = 4;
-const int DECISION_CHOICE = 0;     // which light, which part of the material
-const int DECISION_LIGHT = 1;      // point on the light
-const int DECISION_DIRECTION = 2;  // direction of the next ray
-const int DECISION_SURVIVAL = 3;   // Russian roulette, passing through a cut-out surface
+const int DECISION_CHOICE = 0;      // which light, which part of the material
+const int DECISION_LIGHT = 1;       // point on the light
+const int DECISION_DIRECTION = 2;   // direction of the next ray
+const int DECISION_SURVIVAL = 3;    // Russian roulette; second: which of mixed materials
+const int DECISION_LAYERS = 65536;  // from here on, so many for each vertex: passing through a surface that is not there everywhere
+const int DECISIONS_OF_LAYERS = 256;
 
 // ---- One pixel's sample in each lane. ----------------------------------------------------------------------------------------------
 

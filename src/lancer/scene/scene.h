@@ -32,20 +32,44 @@ struct Checker {
 };
 
 enum class Wrap { repeat, clamp, mirror };
-enum class Filter { nearest, bilinear };
+enum class Filter { nearest, bilinear, mipmaps };
 
-// A picture laid over the surface's uv coordinates; (0, 0) is its lower left corner.
+// A picture laid over the surface's uv coordinates; (0, 0) is its lower left corner. It is looked up at rotation * (scale * uv) + offset.
 struct ImageTexture {
     std::string file;  // resolved against the scene file's folder
     Wrap wrap = Wrap::repeat;
-    Filter filter = Filter::bilinear;
-    bool linear = false;  // false: colours are decoded from sRGB
+    std::optional<Wrap> wrap_v = std::nullopt;  // where it differs from `wrap`
+    Filter filter = Filter::mipmaps;
+    bool linear = false;  // false: colours are decoded from sRGB where they are integers
     glm::dvec2 scale{1.0};
+    double rotation = 0.0;  // degrees, anticlockwise
     glm::dvec2 offset{0.0};
+    int uv_set = 0;  // 0 or 1, of a mesh that has two
     SourcePosition position;
 };
 
-using Texture = std::variant<Rgb, Checker, ImageTexture>;
+// Colours that a mesh brings along, for each of its vertices or triangles; white where it has none.
+struct MeshColors {
+    bool of_faces = false;
+};
+
+using Texture = std::variant<Rgb, Checker, ImageTexture, MeshColors>;
+
+enum class Channel { red, green, blue, alpha };
+
+// A number, the same everywhere; or where there is a texture, offset + scale * one of its channels.
+struct Value {
+    Value(double everywhere = 0.0) : number(everywhere) {}
+
+    double number;
+    std::optional<Texture> texture = std::nullopt;
+    Channel channel = Channel::red;
+    double scale = 1.0;
+    double offset = 0.0;
+
+    // What it is at most, of textures from 0 to 1.
+    double most() const { return texture ? offset + (scale > 0.0 ? scale : 0.0) : number; }
+};
 
 // ---- Refraction -----------------------------------------------------------------------------------------------------------------
 
@@ -88,23 +112,23 @@ struct WhittedMaterial {
 // Scatters to all sides alike [Lambert 1760], or as small facets of that kind do.
 struct DiffuseMaterial {
     Texture color = Rgb{0.8};
-    double roughness = 0.0;
+    Value roughness = 0.0;
 };
 
 // A metal, by name or by its colour when seen straight on.
 struct ConductorMaterial {
     std::string metal;  // a name that spectrum/metal.h knows; empty: `color`
     Texture color = Rgb{1.0};
-    double roughness = 0.0;
-    double anisotropy = 0.0;  // how much smoother along u than along v, 0 to 1
+    Value roughness = 0.0;
+    Value anisotropy = 0.0;  // how much smoother along u than along v, 0 to 1
 };
 
 // A clear body, such as glass or water; or a pane of it, so thin that nothing is seen to be shifted.
 struct DielectricMaterial {
     Refraction refraction = 1.5;
     Texture color = Rgb{1.0};  // a tint for whatever it reflects or lets through; white in nature
-    double roughness = 0.0;
-    double anisotropy = 0.0;
+    Value roughness = 0.0;
+    Value anisotropy = 0.0;
     Rgb absorption{0.0};  // inside, per metre
     bool thin = false;
 };
@@ -113,26 +137,26 @@ struct DielectricMaterial {
 struct PlasticMaterial {
     Texture color = Rgb{0.8};
     double refraction = 1.5;  // of the coat
-    double roughness = 0.0;
+    Value roughness = 0.0;
     bool saturates = true;  // light that the coat sends back takes the body's colour again
 };
 
 // Layers: sheen over a clear coat over a base of metal, coloured body or clear body. After glTF's metallic-roughness and its extensions.
 struct PrincipledMaterial {
     Texture color = Rgb{0.8};
-    double metalness = 0.0;
-    double roughness = 0.3;
-    double anisotropy = 0.0;
+    Value metalness = 0.0;
+    Value roughness = 0.3;
+    Value anisotropy = 0.0;
     double refraction = 1.5;
-    Rgb specular{1.0};  // tint of what the base reflects
-    double transmission = 0.0;
+    Texture specular = Rgb{1.0};  // tint of what the base reflects
+    Value transmission = 0.0;
     bool thin = false;
     Rgb absorption{0.0};
-    double coat = 0.0;
-    double coat_roughness = 0.0;
-    Rgb sheen{0.0};
-    double sheen_roughness = 0.3;
-    double film = 0.0;  // thickness in nanometres of a thin film; 0: none
+    Value coat = 0.0;
+    Value coat_roughness = 0.0;
+    Texture sheen = Rgb{0.0};
+    Value sheen_roughness = 0.3;
+    Value film = 0.0;  // thickness in nanometres of a thin film; 0: none
     double film_refraction = 1.3;
 };
 
@@ -143,12 +167,33 @@ struct Emission {
     bool both_sides = false;      // else outwards only
 };
 
+// Two materials, one here and the other there: indices into Scene::materials. They may be mixes themselves; no mix may contain itself.
+struct MixMaterial {
+    int first = 0;
+    int second = 0;
+    Value share = 0.5;  // of the second
+};
+
+// Where a surface's normals differ from those of its shape.
+struct Relief {
+    std::optional<Texture> normals = std::nullopt;  // red, green, blue from 0 to 1 are x, y, z from -1 to 1: along u, along v, outwards
+    double scale = 1.0;                             // of x and y
+    bool flips_green = false;                       // y grows downwards
+    std::optional<Value> heights = std::nullopt;    // metres outwards, of which only the slopes are seen
+};
+
 struct Material {
     std::string name;  // empty when written in place
-    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial> model;
+    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial, MixMaterial>
+        model;
     SourcePosition position;
     std::optional<Emission> emission = std::nullopt;
     bool is_default = false;  // for shapes without one: as it is, or diffuse where light follows physics
+    Relief relief = {};
+    Value opacity = 1.0;             // how much of it is there; light passes by the rest as if there were nothing
+    double opacity_cutoff = 0.0;     // above 0: it is there where the opacity is at least this, and nowhere else
+    std::optional<int> behind = {};  // what is seen from within instead: index into Scene::materials
+    bool one_sided = false;          // black when seen from within
 };
 
 inline bool is_physical(const Material& material) {
@@ -193,12 +238,16 @@ struct Cone {  // a cone, or a truncated one when `top_radius` is not 0
     bool capped = true;
 };
 
-// Triangles, counter-clockwise seen from outside. `normals` and `uvs` are empty or as long as `positions`.
+// Triangles, counter-clockwise seen from outside. What belongs to vertices is empty or as long as `positions`.
 struct TriangleMesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> uvs;
     std::vector<glm::uvec3> triangles;
+    std::vector<glm::vec2> second_uvs = {};
+    std::vector<glm::vec4> tangents = {};     // where u grows, of length 1; w is 1 or -1: v grows along w * cross(normal, tangent)
+    std::vector<glm::vec4> colors = {};       // linear RGB and alpha
+    std::vector<glm::vec4> face_colors = {};  // of each triangle, or empty
 };
 
 // The data of a mesh is shared by all its placements.
@@ -318,6 +367,10 @@ struct RenderSettings {
     double min_weight = 0.0005;        // paths that can bring less than this share of their light to the pixel are not followed
     int wavelengths = 48;              // that carry a path through dispersive glass
     double exposure = 0.0;             // stops
+    std::string view = "srgb";         // how linear light is shown; a name that image/view.h knows
+    std::vector<std::string> aovs;     // what EXR files hold beside the picture; names that image/aov.h knows
+    int spectral_bins = 0;             // and how many channels of spectral radiance
+    bool wide = false;                 // 32-bit floats in EXR files, not halves
 };
 
 struct Scene {

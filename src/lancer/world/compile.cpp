@@ -16,6 +16,7 @@
 #include "lancer/world/flatten.h"
 #include "lancer/world/lights.h"
 #include "lancer/world/materials.h"
+#include "lancer/world/names.h"
 #include "lancer/world/shapes.h"
 #include "lancer/world/sky.h"
 
@@ -83,6 +84,8 @@ void compile_physics(const scene::Scene& scene, World& world) {
     world.seed = scene.settings.seed;
     compile_filter(scene.settings, world);
     world.spectral = !scene.settings.rgb;
+    // Each of a pixel's samples stands for its share of the pixel. An eighth of its width is as fine as textures are worth looking at.
+    world.beam = static_cast<float>(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(std::max(scene.settings.spp, 1)))));
     if (world.spectral) {
         for (int i = 0; i < kernel::WAVELENGTH_COUNT; ++i) {
             world.observer.push_back(to_float(sensor_weight(static_cast<double>(kernel::FIRST_WAVELENGTH) + i)));
@@ -119,9 +122,12 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     if (physical) {
         compile_physics(scene, *world);
         compile_surfaces(scene, *world, textures, colors, diagnostics);
+        world->beam = world->textures.empty() ? 0.0f : world->beam;
     }
-    compile_sky(scene.background, *world, textures, colors);
-    compile_shapes(flatten(scene), *world, diagnostics);
+    const std::vector<FlatObject> flat = flatten(scene);
+    compile_names(scene, flat, *world);
+    compile_sky(scene.background, *world, colors, diagnostics);
+    compile_shapes(flat, *world, diagnostics);
     if (physical && !diagnostics.has_errors()) {
         compile_emitters(scene, *world, colors, diagnostics);
     }

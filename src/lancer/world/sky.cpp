@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
 #include <glm/common.hpp>
 
+#include "lancer/base/failure.h"
+#include "lancer/image/image.h"
 #include "lancer/kernel/color.h"
 
 namespace lancer {
@@ -21,9 +24,9 @@ std::vector<double> smooth_row(const World& world, int row) {
     std::vector<double> column_means(static_cast<std::size_t>(sky.width));
     for (int step = -1; step <= 1; ++step) {
         const int from = std::clamp(row + step, 0, sky.height - 1);
-        const std::size_t first = static_cast<std::size_t>(sky.first_texel) + static_cast<std::size_t>(from) * column_means.size();
+        const std::size_t first = static_cast<std::size_t>(from) * column_means.size();
         for (std::size_t i = 0; i < column_means.size(); ++i) {
-            column_means[i] += luminance(world.texels[first + i]) * (step == 0 ? 0.75 : 0.125);
+            column_means[i] += luminance(world.sky_texels[first + i]) * (step == 0 ? 0.75 : 0.125);
         }
     }
     std::vector<double> means(column_means.size());
@@ -33,6 +36,26 @@ std::vector<double> smooth_row(const World& world, int row) {
         means[i] = 0.75 * column_means[i] + 0.125 * (before + after);
     }
     return means;
+}
+
+// One black texel where it can't be read.
+void load_image(const scene::ImageTexture& image, World& world, Diagnostics& diagnostics) {
+    Image pixels{1, 1, 1, {0.0f}};
+    try {
+        pixels = read_image(image.file, image.linear ? Encoding::linear : Encoding::automatic);
+    } catch (const MachineFailure&) {
+        throw;
+    } catch (const std::runtime_error& problem) {
+        diagnostics.error(image.position, problem.what());
+    }
+    const auto channels = static_cast<std::size_t>(pixels.channels);
+    world.sky.width = pixels.width;
+    world.sky.height = pixels.height;
+    world.sky_texels.reserve(pixels.pixels.size() / channels);
+    for (std::size_t i = 0; i < pixels.pixels.size(); i += channels) {
+        const float* p = &pixels.pixels[i];
+        world.sky_texels.push_back(channels >= 3 ? kernel::vec3(p[0], p[1], p[2]) : kernel::vec3(p[0]));
+    }
 }
 
 // Of all directions, those that a row covers.
@@ -57,15 +80,12 @@ double put_shares(const std::vector<double>& parts, std::size_t first, std::vect
 
 }  // namespace
 
-void compile_sky(const scene::Background& background, World& world, Textures& textures, Colors& colors) {
+void compile_sky(const scene::Background& background, World& world, Colors& colors, Diagnostics& diagnostics) {
     kernel::SkyRecord& sky = world.sky;
     sky.visible = background.visible ? 1 : 0;
     if (background.image) {
-        const Textures::Texels texels = textures.load(*background.image);
+        load_image(*background.image, world, diagnostics);
         sky.kind = kernel::SKY_IMAGE;
-        sky.first_texel = texels.first;
-        sky.width = texels.width;
-        sky.height = texels.height;
         sky.turn = static_cast<float>(background.rotation / 360.0 - std::floor(background.rotation / 360.0));
         sky.scale = static_cast<float>(background.strength);
         sky.horizon = colors.light(scene::Rgb(1.0));

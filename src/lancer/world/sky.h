@@ -8,8 +8,8 @@
 
 namespace lancer {
 
-// Fills world.sky, and reads its image into world.texels.
-void compile_sky(const scene::Background& background, World& world, Textures& textures, Colors& colors);
+// Fills world.sky, and reads its image into world.sky_texels.
+void compile_sky(const scene::Background& background, World& world, Colors& colors, Diagnostics& diagnostics);
 
 // Makes the sky's image something to draw from, after compile_sky: fills world.distributions with cumulative shares of rows, and of the texels of each
 // row, by luminance and solid angle. `compensated`: for multiple importance sampling, which leaves directions darker than the mean to the materials

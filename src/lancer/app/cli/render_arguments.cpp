@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "lancer/app/cli/import_arguments.h"
+#include "lancer/image/view.h"
 #include "lancer/render/render.h"
 #include "lancer/world/compile.h"
 
@@ -24,6 +25,8 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
         ->group("Picture");
     add_real(app, "--exposure", arguments.exposure, -100.0, 100.0,
              "Stops by which PNG and JPEG are brightened; EXR, HDR and TIFF keep the light as it is")
+        ->group("Picture");
+    add_choice(app, "--view", arguments.view, view_names(), "How PNG, JPEG and the window show what is too bright for a display")
         ->group("Picture");
     add_choice(app, "--integrator", arguments.integrator, {"auto", "whitted", "path", "direct"}, "How light is followed")->group("Light");
     add_whole(app, "--bounces", arguments.bounces, 0, max_path_bounces, "How often light goes on after the first hit, at most")
@@ -57,6 +60,18 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
     add_import_options(app, arguments.import);
 }
 
+void add_file_options(CLI::App& app, RenderArguments& arguments) {
+    app.add_option("--aov", arguments.aovs,
+                   "What EXR files hold beside the picture, such as albedo,normal,depth; \"--aov list\" tells all (path)")
+        ->type_name("NAME,NAME")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->group("EXR files");
+    add_whole(app, "--spectral-bins", arguments.spectral_bins, 0, 471, "Channels of spectral radiance, evenly from 360 to 830 nm (path)")
+        ->group("EXR files");
+    app.add_flag("--float", arguments.wide, "32-bit floats instead of halves")->group("EXR files");
+}
+
 std::vector<std::string> words_of(const RenderArguments& arguments) {
     std::vector<std::string> words = words_of(arguments.import);
     const auto add = [&](const char* name, const auto& value) {
@@ -75,6 +90,7 @@ std::vector<std::string> words_of(const RenderArguments& arguments) {
         words.push_back(CLI::detail::join(arguments.lights, ","));
     }
     add("--exposure", arguments.exposure);
+    add("--view", arguments.view);
     add("--integrator", arguments.integrator);
     add("--bounces", arguments.bounces);
     add("--diffuse-bounces", arguments.diffuse_bounces);
@@ -90,6 +106,14 @@ std::vector<std::string> words_of(const RenderArguments& arguments) {
     add("--ssaa", arguments.ssaa);
     add("--adaptive-threshold", arguments.adaptive_threshold);
     add("--adaptive-depth", arguments.adaptive_depth);
+    if (!arguments.aovs.empty()) {
+        words.push_back("--aov");
+        words.push_back(CLI::detail::join(arguments.aovs, ","));
+    }
+    add("--spectral-bins", arguments.spectral_bins);
+    if (arguments.wide) {
+        words.push_back("--float");
+    }
     return words;
 }
 

@@ -79,7 +79,9 @@ double estimate_seconds(const Prepared& prepared) {
     constexpr double adaptive_samples = 6.0;  // a pixel, as costly as they are at edges
     constexpr double overhead = 0.05;         // of writing the file
     const RenderOptions& options = prepared.options;
-    const double samples = options.adaptive ? adaptive_samples : static_cast<double>(options.ssaa) * options.ssaa;
+    const double samples = options.spp > 0    ? static_cast<double>(options.spp)
+                           : options.adaptive ? adaptive_samples
+                                              : static_cast<double>(options.ssaa) * options.ssaa;
     return overhead + render_preview(prepared, factor, &interrupt_flag()).statistics.seconds * factor * factor * samples;
 }
 
@@ -188,9 +190,9 @@ bool render_figure(const Job& job, const fs::path& folder, Overall& overall) {
     }
     const Figure& figure = *job.figure;
     const auto file = [&](const std::string& suffix) { return (folder / (figure.id + suffix + ".png")).string(); };
-    write_film(file(""), film, prepared.options, prepared.metadata);
+    write_film(file(""), film, prepared);
     if (figure.enlarged) {
-        write_film(file("-enlarged"), enlarge(film, *figure.enlarged), prepared.options, prepared.metadata);
+        write_film(file("-enlarged"), enlarge(film, *figure.enlarged), prepared);
     }
     if (figure.sample_map) {
         write_sample_map(file("-samples"), film, prepared.metadata);

@@ -21,6 +21,19 @@ Figure feature(const std::string& name, const std::string& caption) { return {na
 
 Figure gallery(const std::string& name, const std::string& caption) { return {name, caption, "scenes/gallery/" + name + ".toml", {}}; }
 
+// Scenes that follow physics: smaller than the others, and with fewer samples than their authors ask for, so that all of them take minutes.
+const std::vector<std::string> small_and_quick = {"--size", "640x360", "--spp", "64"};
+
+const std::vector<std::string> square_and_quick = {"--size", "480x480", "--spp", "64"};
+
+Figure physical(const std::string& name, const std::string& caption) {
+    return {name, caption, "scenes/features/" + name + ".toml", small_and_quick};
+}
+
+Figure physical_gallery(const std::string& name, const std::string& caption, const std::vector<std::string>& options) {
+    return {name, caption, "scenes/gallery/" + name + ".toml", options};
+}
+
 std::vector<FigureGroup> make_table() {
     return {
         {"Figure 1",
@@ -85,6 +98,22 @@ std::vector<FigureGroup> make_table() {
          "All together.",
          {gallery("chess", "An endgame of glass and wood."), gallery("glassware", "Red wine, water, a marble and a paperweight."),
           gallery("city", "A city at dusk: 415 towers from six groups."), gallery("sphereflake", "7381 balls from five short groups.")}},
+        {"Light that follows physics: materials",
+         "Paths of light at the wavelengths of nature; as many samples as a minute allows.",
+         {physical("metals", "Metals by their measured indices."), physical("clear-bodies", "Glass, rough glass, water, panes."),
+          physical("plastics", "A coloured body under a clear coat."),
+          physical("principled", "One layered material: lacquer, brushed metal, velvet, tinted glass, a film of oxide.")}},
+        {"Light that follows physics: lamps and lenses",
+         "",
+         {physical("lamps", "A ball, a box, a tube and a cone that shine."),
+          physical("depth-of-field", "What lies before and behind the plane that is sharp.")}},
+        {"Light that follows physics: gallery",
+         "",
+         {physical_gallery("cornell-box", "All light here has been scattered at least once.", square_and_quick),
+          physical_gallery("metal-samples", "Gold, copper, aluminium and titanium from polished to matt.", small_and_quick),
+          physical_gallery("goblets", "Crystal and wine at a window.", square_and_quick),
+          physical_gallery("chess-focus", "Boxwood and ebony through a fast lens.", small_and_quick),
+          physical_gallery("diamonds", "The fire of seven brilliants.", small_and_quick)}},
     };
 }
 

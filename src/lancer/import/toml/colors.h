@@ -20,7 +20,10 @@ std::optional<scene::Rgb> read_color(Messages& messages, const toml::node& node,
 scene::Rgb read_color(TableReader& reader, std::string_view key);
 std::optional<scene::Rgb> read_color_if_written(TableReader& reader, std::string_view key);
 
-// Of Kind::texture.
-scene::Texture read_texture(Context& context, TableReader& reader, std::string_view key);
+// Of Kind::texture. `data`: the texture holds numbers and no colours, so bytes are linear where nothing else is written.
+scene::Texture read_texture(Context& context, TableReader& reader, std::string_view key, bool data = false);
+
+// Of Kind::value.
+scene::Value read_value(Context& context, TableReader& reader, std::string_view key);
 
 }  // namespace lancer::notation

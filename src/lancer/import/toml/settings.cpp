@@ -119,6 +119,12 @@ void read_render(Context& context, const toml::node& node) {
     settings.min_weight = reader.number("min_weight");
     settings.wavelengths = reader.integer("wavelengths");
     settings.exposure = reader.number("exposure");
+    settings.view = render().find("view")->words[reader.choice("view")];
+    for (const std::size_t word : reader.choices("aovs")) {
+        settings.aovs.emplace_back(render().find("aovs")->words[word]);
+    }
+    settings.spectral_bins = reader.integer("spectral_bins");
+    settings.wide = reader.flag("float");
 }
 
 }  // namespace

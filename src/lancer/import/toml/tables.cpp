@@ -1,6 +1,7 @@
 // Every key of the notation. Defaults are those of scene/scene.h; a test holds them together.
 #include <glm/vec3.hpp>
 
+#include "lancer/image/aov.h"
 #include "lancer/import/toml/notation.h"
 
 namespace lancer::notation {
@@ -121,10 +122,55 @@ const Table& image() {
         {{"type", Kind::choice, none, any, "", "image", true, {"image"}},
          {"file", Kind::file, none, any, "", "The picture, seen from the scene file's folder.", true},
          {"wrap", Kind::choice, "repeat", any, "", "What lies outside of the picture.", false, {"repeat", "clamp", "mirror"}},
-         {"filter", Kind::choice, "bilinear", any, "", "How colours between pixels are found.", false, {"bilinear", "nearest"}},
-         {"encoding", Kind::choice, "srgb", any, "", "How colours are stored in the file.", false, {"srgb", "linear"}},
+         {"wrap_v", Kind::choice, none, any, "", "The same above and below, where it differs.", false, {"repeat", "clamp", "mirror"}},
+         {"filter",
+          Kind::choice,
+          "mipmaps",
+          any,
+          "",
+          "How colours between pixels are found; mipmaps: over all that a pixel sees.",
+          false,
+          {"mipmaps", "bilinear", "nearest"}},
+         {"encoding",
+          Kind::choice,
+          "srgb",
+          any,
+          "",
+          "How 8 and 16 bits store colours in the file; where a number is read from it: linear if not written.",
+          false,
+          {"srgb", "linear"}},
+         {"uv_set", Kind::integer, 0.0, Range{0.0, 1.0}, "", "Which of a mesh's two sets of uv is meant."},
          {"scale", Kind::vector2, glm::dvec2(1.0), Range{-1e6, 1e6}, "", "How often the picture fits into one unit of u and v."},
-         {"offset", Kind::vector2, glm::dvec2(0.0), Range{-1e6, 1e6}, "", "Added to u and v after scale."}}};
+         {"rotation", Kind::number, 0.0, Range{-36000.0, 36000.0}, "degrees", "Turns u and v, anticlockwise, after scale."},
+         {"offset", Kind::vector2, glm::dvec2(0.0), Range{-1e6, 1e6}, "", "Added to u and v at last."}}};
+    return table;
+}
+
+const Table& vertex_color() {
+    static const Table table{"vertex_color",
+                             "a vertex color",
+                             "The colours that a mesh brings along for its vertices; white where it has none.",
+                             {{"type", Kind::choice, none, any, "", "vertex_color", true, {"vertex_color"}}}};
+    return table;
+}
+
+const Table& face_color() {
+    static const Table table{"face_color",
+                             "a face color",
+                             "The colours that a mesh brings along for its faces; white where it has none.",
+                             {{"type", Kind::choice, none, any, "", "face_color", true, {"face_color"}}}};
+    return table;
+}
+
+const Table& texture_value() {
+    static const Table table{
+        "texture_value",
+        "a number from a texture",
+        "A number that a texture gives: offset + scale * channel.",
+        {{"texture", Kind::texture, glm::dvec3(1.0), share, "", "An image, a checker or the colours of a mesh.", true},
+         {"channel", Kind::choice, "red", any, "", "Which part of its colour is meant.", false, {"red", "green", "blue", "alpha"}},
+         {"scale", Kind::number, 1.0, Range{-1e6, 1e6}, "", "Multiplies it."},
+         {"offset", Kind::number, 0.0, Range{-1e6, 1e6}, "", "Added to it."}}};
     return table;
 }
 
@@ -234,6 +280,8 @@ const Table& mesh() {
                {"triangles", Kind::triangles, none, corner, "", "Three numbers of corners each, counted from 0."},
                {"normals", Kind::vectors3, none, Range{-1e6, 1e6}, "", "One for each corner."},
                {"uvs", Kind::vectors2, none, Range{-1e6, 1e6}, "", "Texture coordinates [u, v], one for each corner."},
+               {"colors", Kind::vectors3, none, share, "", "Linear [r, g, b], one for each corner, for vertex_color textures."},
+               {"face_colors", Kind::vectors3, none, share, "", "Linear [r, g, b], one for each triangle, for face_color textures."},
                {"smooth", Kind::flag, true, any, "", "Use the normals of the corners, where there are any."}});
     return table;
 }
@@ -264,6 +312,18 @@ const Table& ambient() {
                              {{"color", Kind::color, glm::dvec3(1.0), not_negative, "", "Its colour.", true}}};
     return table;
 }
+
+namespace {
+
+std::vector<std::string_view> aov_words() {
+    std::vector<std::string_view> words;
+    for (const AovKind& kind : aov_kinds()) {
+        words.push_back(kind.name);
+    }
+    return words;
+}
+
+}  // namespace
 
 const Table& render() {
     static const Table table{
@@ -324,7 +384,18 @@ const Table& render() {
          {"min_weight", Kind::number, 0.0005, Range{0.0, 1.0}, "",
           "Reflected and refracted rays that can bring less than this share of their light to the pixel are not followed."},
          {"wavelengths", Kind::integer, 48.0, Range{1.0, 1024.0}, "", "How many carry a path through glass that spreads colours."},
-         {"exposure", Kind::number, 0.0, Range{-100.0, 100.0}, "stops", "Brightens the picture by 2^exposure."}}};
+         {"exposure", Kind::number, 0.0, Range{-100.0, 100.0}, "stops", "Brightens the picture by 2^exposure."},
+         {"view",
+          Kind::choice,
+          "srgb",
+          any,
+          "",
+          "How PNG, JPEG and the window show what is too bright for a display.",
+          false,
+          {"srgb", "pbr-neutral", "agx", "aces"}},
+         {"aovs", Kind::choices, none, any, "", "What EXR files hold beside the picture (path).", false, aov_words()},
+         {"spectral_bins", Kind::integer, 0.0, Range{0.0, 471.0}, "", "Channels of spectral radiance in EXR files (path)."},
+         {"float", Kind::flag, false, any, "", "EXR files hold 32-bit floats instead of halves."}}};
     return table;
 }
 

@@ -22,7 +22,7 @@ FN Vec3 sky_texel(IN(WorldRecord) world, Float x, Float y, Mask mask) {
     Float width = Float(float(world.sky.width));
     Float column = select(x < Float(0.0f), x + width, select(x < width, x, x - width));
     Float row = min(max(y, Float(0.0f)), Float(float(world.sky.height - 1)));
-    return gather_vec3(world.texels, round_to_int(row) * Int(world.sky.width) + round_to_int(column) + Int(world.sky.first_texel), mask);
+    return gather_vec3(world.sky_texels, round_to_int(row) * Int(world.sky.width) + round_to_int(column), mask);
 }
 
 // Linear RGB; between the middles of texels bilinear.
