@@ -432,7 +432,7 @@ TEST(Path, IrradianceUnderALobeOfTheSky) {
         for (const auto samples : {scene::DirectSamples::mis, scene::DirectSamples::emitter, scene::DirectSamples::bsdf}) {
             const Estimate e = under(sky, up, 16384, samples);
             EXPECT_NEAR(e.mean.x, expected, 0.001 * expected + 4.0 * e.error.x) << "towards " << up.x << " " << up.y << " " << up.z;
-            EXPECT_LT(e.error.x, 0.004 * expected);
+            EXPECT_LT(e.error.x, 0.006 * expected);  // a lobe that is mostly below the horizon is seldom found
         }
     }
 }
@@ -494,8 +494,11 @@ TEST(Path, DirectLightIsTheSameEachWay) {
         }
         EXPECT_LT(both.error.y, 0.01 * both.mean.y);
         EXPECT_EQ(lit(scene::DirectSamples::mis, "path", true).mean, both.mean);
-        const Estimate spectral = lit(scene::DirectSamples::mis, "direct", false);
-        EXPECT_NEAR(spectral.mean.y, both.mean.y, 0.02 * both.mean.y + 4.0 * spectral.error.y);
+        // Measured indices of a metal are more than three numbers, and what a lacquer sends back into its body is no multiple of its colour.
+        if (std::holds_alternative<scene::DiffuseMaterial>(material.model)) {
+            const Estimate spectral = lit(scene::DirectSamples::mis, "direct", false);
+            EXPECT_NEAR(spectral.mean.y, both.mean.y, 0.02 * both.mean.y + 4.0 * spectral.error.y);
+        }
     }
 }
 
@@ -507,6 +510,7 @@ TEST(Path, LimitedBouncesAreTheFirstTermsOfTheSeries) {
     mirror.model = scene::ConductorMaterial{.metal = "", .color = scene::Rgb(0.5)};
     const auto furnace = [](const scene::Material& material, const std::function<void(scene::RenderSettings&)>& limit) {
         Physical world(1000);
+        world.scene.settings.rgb = true;
         limit(world.scene.settings);
         world.add(scene::Sphere{{0.0, 0.0, 5.0}, 2.0}, world.material(material));
         return world.estimate(4096);
@@ -527,6 +531,7 @@ TEST(Path, LimitedTransmission) {
     // Two boxes of air with a border: the light behind them is four borders away.
     for (const int most : {0, 3, 4}) {
         Physical world(64);
+        world.scene.settings.rgb = true;
         world.scene.settings.transmission_bounces = most;
         world.scene.settings.diffuse_bounces = 0;
         scene::Material air;
@@ -536,7 +541,9 @@ TEST(Path, LimitedTransmission) {
         world.add(scene::Box{{-1.0, -1.0, 1.0}, {1.0, 1.0, 1.2}}, material);
         world.add(scene::Disk{{0.0, 0.0, -2.0}, {0.0, 0.0, 1.0}, 1.0}, world.material(diffuse(0.0, 1.0)));
         world.look({0.0, 0.0, 5.0}, {0.0, 0.0, -1.0});
-        EXPECT_NEAR(world.estimate(16).mean.x, most < 4 ? 0.0 : 1.0, 1e-5) << most;
+        const Estimate e = world.estimate(256);
+        // Russian roulette at the last border.
+        EXPECT_NEAR(e.mean.x, most < 4 ? 0.0 : 1.0, 4.0 * e.error.x) << most;
     }
 }
 

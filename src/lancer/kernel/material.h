@@ -142,6 +142,18 @@ FN Vec3 material_albedo(IN(WorldRecord) world, IN(MaterialRecord) material, IN(S
     return vec3_of(color.x, color.y, color.z);
 }
 
+// The point alone. Light that is met by itself must be the same as where it is asked for, whatever the width of the beam.
+FN SurfacePoint without_patch(IN(SurfacePoint) point) {
+    SurfacePoint s = point;
+    s.across = vec2_of(Float(0.0f), Float(0.0f));
+    s.down = s.across;
+    s.second_across = s.across;
+    s.second_down = s.across;
+    s.local_across = vec3_all(Float(0.0f));
+    s.local_down = s.local_across;
+    return s;
+}
+
 // What the lanes of `mine` find of one material at their points.
 FN void take_material(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) s, Vec3 direction, Mask inside, Vec4 nanometres,
                       Mask mine, INOUT(PathVertex) vertex) {
@@ -186,7 +198,7 @@ FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Float width
             if ((material.flags & MATERIAL_EMITS_BEHIND) == 0) {
                 shines = without(mine, inside);
             }
-            vertex.emission = select(shines, color_value(world, material.emission, s, nanometres, shines), vertex.emission);
+            vertex.emission = select(shines, color_value(world, material.emission, without_patch(s), nanometres, shines), vertex.emission);
         }
         if ((material.flags & MATERIAL_CHOOSES) != 0) {
             Int chosen = choose_material(world, object.material, s, inside, choice, mine);

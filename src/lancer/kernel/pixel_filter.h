@@ -2,6 +2,7 @@
 #ifndef LANCER_KERNEL_PIXEL_FILTER_H
 #define LANCER_KERNEL_PIXEL_FILTER_H
 
+#include "lancer/kernel/math.h"
 #include "lancer/kernel/tables.h"
 
 NAMESPACE_BEGIN
