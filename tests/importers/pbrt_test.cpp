@@ -64,5 +64,116 @@ TEST(Pbrt, NormalsSayWhichSideShines) {
     EXPECT_EQ(std::get<scene::Mesh>(r.scene->objects.at(1).shape).data->triangles.at(0), glm::uvec3(0, 2, 1));
 }
 
+// After LookAt, +x of the world is to the right of the picture where it would be to the left in a right-handed one.
+TEST(Pbrt, TurnsLeftHandedWorldsRound) {
+    const std::string world = "WorldBegin\n" + lit + "Translate 3 2 1 Shape \"sphere\"\n";
+    const Reading left = read_pbrt_text("LookAt 0 0 5  0 0 0  0 1 0 Camera \"perspective\"\n" + world);
+    const Reading right = read_pbrt_text("Scale -1 1 1 LookAt 0 0 5  0 0 0  0 1 0 Camera \"perspective\"\n" + world);
+    ASSERT_TRUE(left.scene && right.scene) << left.all() << right.all();
+    const auto right_of_picture = [](const scene::Scene& scene) {
+        const scene::Camera& camera = scene.cameras.at(0);
+        return glm::dot(glm::cross(camera.direction, camera.up), glm::dvec3(scene.objects.at(0).to_parent[3]) - camera.position);
+    };
+    EXPECT_NEAR(right_of_picture(*left.scene), -3.0, 1e-9) << "LookAt's +x is up x forward";
+    EXPECT_NEAR(right_of_picture(*right.scene), 3.0, 1e-9);
+    EXPECT_NEAR(left.scene->objects.at(0).to_parent[3].y, 2.0, 1e-9);
+}
+
+TEST(Pbrt, PlacesObjectsWithBothTransforms) {
+    const Reading r = read_pbrt_text("Scale -1 1 1\nCamera \"perspective\"\nWorldBegin\n" + lit +
+                                     "ObjectBegin \"o\" Translate 0 0 2 Shape \"sphere\" ObjectEnd\n"
+                                     "AttributeBegin Translate 5 0 0 ObjectInstance \"o\" AttributeEnd\nObjectInstance \"o\"\n");
+    ASSERT_TRUE(r.scene) << r.all();
+    ASSERT_EQ(r.scene->placements.size(), 2u);
+    EXPECT_EQ(r.scene->placements[0].to_parent[3].x, 5.0);
+    EXPECT_EQ(r.scene->placements[1].to_parent[3].x, 0.0);
+    EXPECT_EQ(r.scene->groups.at(0).objects.at(0).to_parent[3].z, 2.0);
+}
+
+TEST(Pbrt, LightsAreAsBrightAsPbrtMakesThem) {
+    const Reading r = read_pbrt_text(
+        "Camera \"perspective\" \"float shutterclose\" 0.5\nFilm \"rgb\" \"float iso\" 400\nWorldBegin\n"
+        "LightSource \"point\" \"rgb I\" [1 2 3] \"float scale\" 2\n"
+        "LightSource \"point\" \"float power\" 12.566370614359172\n"
+        "LightSource \"distant\" \"blackbody L\" 5000 \"float illuminance\" 7\n");
+    ASSERT_TRUE(r.scene) << r.all();
+    const double sensitivity = 400.0 / 100.0 * 0.5;
+    EXPECT_EQ(*r.scene->lights.at(0).power, scene::Rgb(2, 4, 6) * sensitivity);
+    EXPECT_NEAR(r.scene->lights.at(1).power->y, sensitivity, 1e-9);
+    const glm::dvec3 sun = *r.scene->lights.at(2).power;
+    EXPECT_NEAR(glm::dot(sun, glm::dvec3(0.2126, 0.7152, 0.0722)), 7.0 * sensitivity, 1e-2 * 7.0);
+    EXPECT_GT(sun.x, sun.z) << "warmer than daylight";
+    EXPECT_FALSE(r.scene->settings.rgb) << "a black body is a spectrum";
+}
+
+TEST(Pbrt, TheLastDefaultsOfAttributeCount) {
+    const Reading r = read_pbrt_text("WorldBegin\n" + lit +
+                                     "Attribute \"shape\" \"float radius\" 3\nShape \"sphere\"\nShape \"sphere\" \"float radius\" 2\n");
+    ASSERT_TRUE(r.scene) << r.all();
+    EXPECT_EQ(std::get<scene::Sphere>(r.scene->objects.at(0).shape).radius, 3.0);
+    EXPECT_EQ(std::get<scene::Sphere>(r.scene->objects.at(1).shape).radius, 2.0);
+}
+
+TEST(Pbrt, TessellatesPartsOfSpheres) {
+    const Reading r = read_pbrt_text("WorldBegin\n" + lit + "Shape \"sphere\" \"float zmin\" 0 \"float phimax\" 90\n");
+    ASSERT_TRUE(r.scene) << r.all();
+    EXPECT_EQ(r.all(), "");
+    const scene::TriangleMesh& mesh = *std::get<scene::Mesh>(r.scene->objects.at(0).shape).data;
+    double area = 0.0;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+        const glm::dvec3 across = glm::cross(b - a, c - a);
+        area += 0.5 * glm::length(across);
+        EXPECT_GT(glm::dot(across, a + b + c), 0.0) << "outwards";
+    }
+    EXPECT_NEAR(area, 3.14159265 / 2.0, 2e-3) << "an eighth of 4 pi";
+}
+
+// A cage of an octahedron becomes round: all limit points lie close to a sphere, and their normals with it.
+TEST(Pbrt, SubdividesToASmoothSurface) {
+    const Reading r = read_pbrt_text("WorldBegin\n" + lit +
+                                     "Shape \"loopsubdiv\" \"integer levels\" 4 \"point3 P\" [1 0 0 -1 0 0 0 1 0 0 -1 0 0 0 1 0 0 -1]\n"
+                                     "\"integer indices\" [0 2 4 2 1 4 1 3 4 3 0 4 2 0 5 1 2 5 3 1 5 0 3 5]\n");
+    ASSERT_TRUE(r.scene) << r.all();
+    const scene::TriangleMesh& mesh = *std::get<scene::Mesh>(r.scene->objects.at(0).shape).data;
+    EXPECT_EQ(mesh.triangles.size(), 8u * 256u);
+    const double middle = glm::length(mesh.positions.at(0));
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        EXPECT_NEAR(glm::length(mesh.positions[i]), middle, 0.1 * middle);
+        EXPECT_GT(glm::dot(mesh.normals[i], glm::normalize(mesh.positions[i])), 0.95f);
+    }
+}
+
+TEST(Pbrt, TexturesThatNeedThemselvesAreErrors) {
+    const Reading r = read_pbrt_text(
+        "WorldBegin\n" + lit +
+        "Texture \"a\" \"spectrum\" \"scale\" \"texture tex\" \"b\"\nTexture \"b\" \"spectrum\" \"scale\" \"texture tex\" \"a\"\n"
+        "Material \"diffuse\" \"texture reflectance\" \"a\"\nShape \"sphere\"\n");
+    ASSERT_FALSE(r.scene);
+    EXPECT_NE(r.all().find("needs itself"), std::string::npos) << r.all();
+}
+
+// Each file includes the next one twice: 2^40 shapes.
+TEST(Pbrt, FilesThatMultiplyAreStopped) {
+    const TemporaryFolder folder;
+    std::string first;
+    for (int i = 0; i < 40; ++i) {
+        const std::string next = "Include \"" + std::to_string(i + 1) + ".pbrt\"\n";
+        const std::string path = folder.write(std::to_string(i) + ".pbrt", (i == 0 ? "WorldBegin\n" : "") + next + next);
+        first = i == 0 ? path : first;
+    }
+    folder.write("40.pbrt", "Identity\n");
+    const Reading r = read_path(first);
+    ASSERT_FALSE(r.scene);
+    EXPECT_NE(r.all().find("directives"), std::string::npos) << r.all();
+}
+
+TEST(Pbrt, BlocksThatAreClosedWronglyAreErrors) {
+    const Reading r = read_pbrt_text("WorldBegin\nAttributeBegin\nTransformEnd\nAttributeEnd\nAttributeEnd\n");
+    ASSERT_FALSE(r.scene);
+    EXPECT_NE(r.all().find(":3:1: error: TransformEnd: what is open was begun at"), std::string::npos) << r.all();
+    EXPECT_NE(r.all().find(":5:1: error: AttributeEnd: nothing is open here"), std::string::npos) << r.all();
+}
+
 }  // namespace
 }  // namespace lancer

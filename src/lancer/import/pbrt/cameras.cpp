@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -58,16 +57,13 @@ private:
         camera.position = apply_to_point(to_world, glm::dvec3(0.0));
         camera.direction = apply_to_direction(to_world, {0.0, 0.0, 1.0});
         camera.up = apply_to_direction(to_world, {0.0, 1.0, 0.0});
-        // Its own x points right, y up and z forward: the wrong hand, unless the transform mirrors.
-        mirrored_ = glm::determinant(glm::dmat3(to_world)) > 0.0;
+        along_x_ = apply_to_direction(to_world, {1.0, 0.0, 0.0});
     }
 
     void set_spherical(scene::Camera& camera) {
         camera.projection = scene::Projection::panorama;
-        // The middle of the picture looks along -x, its right half towards -z.
-        const glm::dvec3 forward = camera.direction;
-        const glm::dvec3 right = glm::cross(forward, camera.up) * (mirrored_ ? -1.0 : 1.0);
-        camera.direction = -right;
+        // The middle of the picture looks along its own -x, the right half along -z.
+        camera.direction = -along_x_;
         if (type_ == "environment" || parameters_.string("mapping", "equalarea") == "equirectangular") {
             context_.report.honoured(parameters_.owner(), parameters_.position());
         } else {
@@ -92,6 +88,9 @@ private:
         }
         camera.fov_axis = size.x < size.y ? scene::FovAxis::width : scene::FovAxis::height;
         const double across = std::min(size.x, size.y);
+        if (glm::length(window.middle()) > 1e-6 * across) {
+            context_.report.approximated("a \"screenwindow\" off the middle", "the middle", parameters_.position());
+        }
 
         if (std::abs(size.x / size.y - aspect) > 1e-3 * aspect) {
             context_.report.approximated("pixels that are not square", "square ones", parameters_.position());
@@ -101,7 +100,9 @@ private:
             // Its transform may scale, too.
             camera.extent = across * glm::length(camera.up);
         } else {
-            double fov = parameters_.number("fov", 90.0);
+            // Of real lenses one can't tell without following light through them: a normal one.
+            parameters_.pass_over({"lensfile", "aperturediameter", "focusdistance", "aperture"});
+            double fov = parameters_.number("fov", type_ == "realistic" ? 27.0 : 90.0);
             if (!(fov > 0.0 && fov < 180.0)) {
                 parameters_.error(*parameters_.find("fov"), "\"fov\" must lie between 0 and 180 degrees");
                 fov = 90.0;
@@ -128,7 +129,7 @@ private:
     const std::string& type_;
     const Parameters& parameters_;
     scene::RenderSettings& settings_;
-    bool mirrored_ = false;
+    glm::dvec3 along_x_{1.0, 0.0, 0.0};  // the camera's own, in the world
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace lancer::pbrt {
 
-// `camera` and `film` are null where the file has none: then pbrt has a view of 90 degrees. The picture's size is in the settings.
+// For a right-handed world. `camera` and `film` are null where the file has none: then pbrt has a view of 90 degrees. The picture's size is in the settings.
 scene::Camera build_camera(ImportContext& context, const Recipe* camera, const Recipe* film, const glm::dmat4& from_world,
                            scene::RenderSettings& settings);
 

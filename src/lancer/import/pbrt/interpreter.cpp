@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "lancer/import/pbrt/files.h"
+#include "lancer/import/pbrt/transforms.h"
 #include "lancer/import/pbrt/version3.h"
 #include "lancer/import/pbrt/words.h"
 
@@ -179,6 +180,7 @@ void Interpreter::carry_out(const Syntax& syntax, const Directive& directive) {
         case Keyword::world_begin:
             in_world_ = true;
             state_.at_opening = state_.at_closing = glm::dmat4(1.0);
+            to_scene_ = handedness(options_.is_left_handed());
             state_.changes_opening = state_.changes_closing = true;
             coordinate_systems_["world"] = state_;
             return;
@@ -205,7 +207,7 @@ void Interpreter::carry_out(const Syntax& syntax, const Directive& directive) {
             state_.area_light = materials_.add_area_light(recipe(syntax, directive, Target::light));
             return;
         case Keyword::light_source:
-            return lights_.add(recipe(syntax, directive, Target::light), state_.at_opening);
+            return lights_.add(recipe(syntax, directive, Target::light), to_scene_ * state_.at_opening);
         case Keyword::shape:
             return add_shape(syntax, directive);
         case Keyword::object_begin:

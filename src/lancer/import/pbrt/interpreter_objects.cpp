@@ -62,7 +62,7 @@ void Interpreter::place_object(const Syntax& syntax, const Directive& directive)
             context_.diagnostics.warning(position, "the transform squeezes space flat: the object is left out");
             return;
         }
-        scene_.placements.push_back({found->second, state_.at_opening, std::nullopt, position});
+        scene_.placements.push_back({found->second, to_scene_ * state_.at_opening, std::nullopt, position});
         context_.report.honoured("ObjectInstance", position);
     }
 }
@@ -99,7 +99,10 @@ void Interpreter::add_shape(const Syntax& syntax, const Directive& directive) {
     const int material = materials_.material_for({state_.material, shines ? state_.area_light : -1, state_.inside, state_.outside}, given,
                                                  shines ? surface_area(built->shape, to_world) : 0.0);
     std::vector<scene::Object>& objects = object_ ? scene_.groups[static_cast<std::size_t>(*object_)].objects : scene_.objects;
-    objects.push_back({{}, built->shape, material, to_world, given.position()});
+    objects.push_back({{}, built->shape, material, object_ ? to_world : to_scene_ * to_world, given.position()});
+    if (given.has("alpha")) {
+        context_.report.dropped("\"alpha\"", "nothing is cut out", given.position());
+    }
     context_.report.honoured(given.owner(), given.position());
     given.warn_of_unused();
 }

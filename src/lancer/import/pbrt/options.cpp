@@ -4,8 +4,11 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include "lancer/import/pbrt/cameras.h"
+#include "lancer/import/pbrt/transforms.h"
 
 namespace lancer::pbrt {
 
@@ -21,6 +24,13 @@ const Recipe* Options::find(Keyword keyword) const {
     return found == recipes_.end() ? nullptr : &found->second;
 }
 
+bool Options::is_left_handed() const {
+    // Its own x points right, y up and z forward: that is the left hand, unless the transform mirrors. Spherical cameras see it the other way.
+    const Recipe* camera = find(Keyword::camera);
+    const bool spherical = camera != nullptr && (camera->type == "spherical" || camera->type == "environment");
+    return (glm::determinant(glm::dmat3(from_world_.value_or(glm::dmat4(1.0)))) > 0.0) != spherical;
+}
+
 double Options::finish(scene::Scene& scene) {
     scene::RenderSettings& settings = scene.settings;
     settings.integrator = "path";
@@ -29,7 +39,8 @@ double Options::finish(scene::Scene& scene) {
     set_sampler(settings);
     set_integrator(settings);
     const Recipe* camera = find(Keyword::camera);
-    scene.cameras.push_back(build_camera(context_, camera, find(Keyword::film), from_world_.value_or(glm::dmat4(1.0)), settings));
+    scene.cameras.push_back(build_camera(context_, camera, find(Keyword::film),
+                                         from_world_.value_or(glm::dmat4(1.0)) * handedness(is_left_handed()), settings));
     double open = 1.0;
     if (camera != nullptr) {
         open = camera->parameters.number("shutterclose", 1.0) - camera->parameters.number("shutteropen", 0.0);
@@ -65,7 +76,11 @@ double Options::set_film(scene::RenderSettings& settings) {
     if (parameters.has("maxcomponentvalue") || parameters.has("maxsampleluminance")) {
         context_.report.dropped("\"maxcomponentvalue\"", "bright samples are not cut off", parameters.position());
     }
-    parameters.pass_over({"filename", "savefp16", "diagonal", "displayfile", "coordinatesystem", "nbuckets", "lambdamin", "lambdamax"});
+    if (parameters.has("cropwindow") || parameters.has("pixelbounds")) {
+        context_.report.dropped("\"cropwindow\"", "the whole picture is rendered", parameters.position());
+    }
+    parameters.pass_over(
+        {"pixelbounds", "filename", "savefp16", "diagonal", "displayfile", "coordinatesystem", "nbuckets", "lambdamin", "lambdamax"});
     if (film->type == "rgb" || film->type == "gbuffer" || (version3_ && film->type == "image")) {
         context_.report.honoured(parameters.owner(), parameters.position());
     } else {

@@ -21,7 +21,10 @@ public:
     // Of each kind the last one counts. `from_world`: the transform that is in force there.
     void set(Keyword keyword, Recipe recipe, const glm::dmat4& from_world);
 
-    // Fills in the camera and the settings. Returns the factor that the film's exposure puts on all light.
+    // Whether the camera sees a left-handed world, as after LookAt: in our right-handed one left and right would change places.
+    bool is_left_handed() const;
+
+    // Fills in the camera and the settings, for a world whose x axis is turned round where it is left-handed. Returns the factor that the film's exposure puts on all light.
     double finish(scene::Scene& scene);
 
 private:

@@ -52,6 +52,8 @@ std::optional<glm::dmat4> look_at(const glm::dvec3& eye, const glm::dvec3& at, c
     return glm::inverse(from_columns(x, glm::cross(z, x), z, eye));
 }
 
+glm::dmat4 handedness(bool left) { return scaling({left ? -1.0 : 1.0, 1.0, 1.0}); }
+
 bool is_usable(const glm::dmat4& map) {
     for (int i = 0; i < 16; ++i) {
         if (!std::isfinite(map[i / 4][i % 4])) {

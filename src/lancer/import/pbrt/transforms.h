@@ -18,6 +18,9 @@ glm::dmat4 from_sixteen(const std::array<double, 16>& columns);
 // one. Nothing when the three points do not say where up is.
 std::optional<glm::dmat4> look_at(const glm::dvec3& eye, const glm::dvec3& at, const glm::dvec3& up);
 
+// From a left-handed world to ours: x turned round. The identity from a right-handed one.
+glm::dmat4 handedness(bool left);
+
 // What can be inverted and is finite.
 bool is_usable(const glm::dmat4& map);
 
