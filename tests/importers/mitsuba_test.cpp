@@ -1,7 +1,9 @@
 // Mitsuba's scenes: what is read, and what is said about mistakes.
 #include <fstream>
 
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "lancer/import/import.h"
 #include "reading.h"
@@ -58,7 +60,7 @@ TEST_F(Mitsuba, DefaultsAndParameters) {
     options.defines["r"] = "5";
     EXPECT_EQ(std::get<scene::Sphere>(good(text, options).objects.at(0).shape).radius, 5.0);
     expect_error(R"(<default name="radius" value="1"/><shape type="sphere"><float name="radius" value="$radus"/></shape>)",
-                 R"(scene.xml:2:57: error: the parameter "$radus" has no value: give it one with -D radus=... did you mean "radius"?)");
+                 R"(scene.xml:2:56: error: the parameter "$radus" has no value: give it one with -D radus=VALUE; did you mean "radius"?)");
 }
 
 TEST_F(Mitsuba, IncludesShareDefaultsAndFolders) {
@@ -116,7 +118,7 @@ TEST_F(Mitsuba, ReferencesByIdAndAlias) {
     ASSERT_EQ(scene.materials.size(), 1u);
     EXPECT_EQ(scene.objects.at(1).material, 0);
     expect_error(R"(<bsdf type="diffuse" id="green"/><shape type="sphere"><ref id="grean"/></shape>)",
-                 R"(scene.xml:2:57: error: nothing has the id "grean"; did you mean "green"?)");
+                 R"(scene.xml:2:55: error: nothing has the id "grean"; did you mean "green"?)");
     expect_error(R"(<bsdf type="twosided" id="a"><ref id="a"/></bsdf><shape type="sphere"><ref id="a"/></shape>)", "circle");
 }
 
@@ -168,11 +170,11 @@ TEST_F(Mitsuba, DepthCountsEmission) {
 }
 
 TEST_F(Mitsuba, UnknownPluginsAreSaid) {
-    const Import import = read(R"(<shape type="speer"/><emitter type="constnt"/><shape type="sphere"><bsdf type="velvet"/></shape>)");
+    const Import import = read(R"(<shape type="spere"/><emitter type="constnt"/><shape type="sphere"><bsdf type="velvet"/></shape>)");
     EXPECT_TRUE(import.scene);
     EXPECT_NE(import.all().find("did you mean \"sphere\"?"), std::string::npos) << import.all();
-    ASSERT_NE(import.entry("shape \"speer\""), nullptr);
-    EXPECT_EQ(import.entry("shape \"speer\"")->treatment, Treatment::dropped);
+    ASSERT_NE(import.entry("shape \"spere\""), nullptr);
+    EXPECT_EQ(import.entry("shape \"spere\"")->treatment, Treatment::dropped);
     ASSERT_NE(import.entry("bsdf \"velvet\""), nullptr);
     EXPECT_EQ(import.entry("bsdf \"velvet\"")->treatment, Treatment::approximated);
 }

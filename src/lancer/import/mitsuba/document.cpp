@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "lancer/import/mitsuba/plugin.h"
 #include "lancer/import/mitsuba/xml.h"
 
 namespace lancer::mitsuba {
@@ -222,8 +223,8 @@ std::string Document::substitute(std::string_view text, const SourcePosition& po
             for (const auto& parameter : parameters_) {
                 known.push_back(parameter.first);
             }
-            fail(position, fmt::format("the parameter \"${}\" has no value: give it one with -D {}=...{}", name,
-                                       name.empty() ? "NAME" : name, did_you_mean(name, known)));
+            fail(position, fmt::format("the parameter \"${}\" has no value: give it one with -D {}=VALUE{}", name,
+                                       name.empty() ? "NAME" : name, hint(name, known)));
             return result;
         }
         result += found->second;

@@ -117,8 +117,8 @@ void add_emitter(Builder& builder, const Element& element) {
         names.emplace_back(kind.name);
     }
     builder.dropped(plugin, "such light is not there");
-    builder.context.diagnostics.warning(element.position, fmt::format("no emitter {} is known here: it is left out{}",
-                                                                      quoted(plugin.type()), did_you_mean(plugin.type(), names)));
+    builder.context.diagnostics.warning(
+        element.position, fmt::format("no emitter {} is known here: it is left out{}", quoted(plugin.type()), hint(plugin.type(), names)));
 }
 
 }  // namespace lancer::mitsuba

@@ -147,7 +147,7 @@ scene::Material material_from(Builder& builder, const Element& element) {
     } else {
         builder.approximated(plugin, "a grey diffuse surface");
         builder.context.diagnostics.warning(element.position, fmt::format("no BSDF {} is known here: it is grey{}", quoted(plugin.type()),
-                                                                          did_you_mean(plugin.type(), bsdf_names())));
+                                                                          hint(plugin.type(), bsdf_names())));
         return material;
     }
     plugin.finish();

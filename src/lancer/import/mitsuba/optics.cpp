@@ -54,7 +54,7 @@ double index_or(Builder& builder, Plugin& plugin, std::string_view name, std::st
     for (const auto& entry : indices) {
         known.emplace_back(entry.first);
     }
-    builder.error(element->position, fmt::format("no material of an index is called {}{}", quoted(written), did_you_mean(written, known)));
+    builder.error(element->position, fmt::format("no material of an index is called {}{}", quoted(written), hint(written, known)));
     return 1.5;
 }
 

@@ -45,13 +45,19 @@ const Element* Ids::find(const Element& reference, Diagnostics& diagnostics) con
     if (found != elements_.end()) {
         return found->second;
     }
-    std::vector<std::string> known;
-    for (const auto& element : elements_) {
-        known.push_back(element.first);
+    if (missed_.insert(&reference).second) {
+        std::vector<std::string> known;
+        for (const auto& element : elements_) {
+            known.push_back(element.first);
+        }
+        diagnostics.error(reference.position, fmt::format("nothing has the id {}{}", quoted(id), hint(id, known)));
     }
-    const std::string question = did_you_mean(id, known);
-    diagnostics.error(reference.position, fmt::format("nothing has the id {}{}{}", quoted(id), question.empty() ? "" : ";", question));
     return nullptr;
+}
+
+std::string hint(const std::string& word, const std::vector<std::string>& candidates) {
+    const std::string question = did_you_mean(word, candidates);
+    return question.empty() ? question : ";" + question;
 }
 
 // ---- Plugins ----------------------------------------------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +25,11 @@ public:
 
 private:
     std::map<std::string, const Element*> elements_;
+    mutable std::set<const Element*> missed_;  // references that were said to lead nowhere
 };
+
+// "; did you mean "sphere"?", or nothing.
+std::string hint(const std::string& word, const std::vector<std::string>& candidates);
 
 class Plugin {
 public:

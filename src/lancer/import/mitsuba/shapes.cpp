@@ -206,8 +206,8 @@ void add_shape(Builder& builder, const Element& element, Place place) {
         names.emplace_back(kind.name);
     }
     builder.dropped(plugin, "such a shape is not there");
-    builder.context.diagnostics.warning(element.position, fmt::format("no shape {} is known here: it is left out{}", quoted(plugin.type()),
-                                                                      did_you_mean(plugin.type(), names)));
+    builder.context.diagnostics.warning(
+        element.position, fmt::format("no shape {} is known here: it is left out{}", quoted(plugin.type()), hint(plugin.type(), names)));
 }
 
 }  // namespace lancer::mitsuba
