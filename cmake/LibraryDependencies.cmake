@@ -7,6 +7,8 @@ find_package(fmt REQUIRED)
 find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(pugixml REQUIRED)
 find_package(xsimd REQUIRED)
 set_target_properties(xsimd PROPERTIES INTERFACE_LINK_LIBRARIES "")  # Debian's names xtl, which is headers, not packaged with it, and not used here
 if(NOT TARGET PkgConfig::TOMLPLUSPLUS)

@@ -83,3 +83,5 @@ aov albedo albedo.R,albedo.G,albedo.B "${encoded[@]}"
 aov normal normal.X,normal.Y,normal.Z --mulc 0.5 --addc 0.5
 aov direct direct.R,direct.G,direct.B --mulc 2 "${encoded[@]}"
 aov indirect indirect.R,indirect.G,indirect.B --mulc 2 "${encoded[@]}"
+[ ${#wanted[@]} -gt 0 ] && [[ " ${wanted[*]} " != *" mitsuba "* ]] ||
+    "$lancer" render scenes/mitsuba/still-life.xml -o docs/pictures/mitsuba.png --size 640x360 --progress plain 2>/dev/null

@@ -1,0 +1,124 @@
+#include "lancer/import/mitsuba/emitters.h"
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "lancer/import/mesh/mesh_messages.h"
+#include "lancer/import/mitsuba/textures.h"
+
+namespace lancer::mitsuba {
+
+namespace {
+
+glm::dvec3 point(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1.0)); }
+glm::dvec3 direction(const glm::dmat4& m, const glm::dvec3& d) { return glm::dvec3(m * glm::dvec4(d, 0.0)); }
+
+void add_light(Builder& builder, Plugin& plugin, decltype(scene::Light::model) model, const Color& power) {
+    scene::Light light;
+    light.name = plugin.id();
+    light.model = std::move(model);
+    light.position = plugin.position();
+    light.power = power;
+    builder.scene.lights.push_back(std::move(light));
+    builder.honoured(plugin);
+}
+
+void add_point(Builder& builder, Plugin& plugin) {
+    const glm::dmat4 to_world = plugin.transform("to_world").value_or(glm::dmat4(1.0));
+    const glm::dvec3 position = plugin.vector("position", point(to_world, glm::dvec3(0.0)));
+    add_light(builder, plugin, scene::PointLight{position}, color_or(builder, plugin, "intensity", Color(1.0), Role::light));
+}
+
+void add_spot(Builder& builder, Plugin& plugin) {
+    const glm::dmat4 to_world = plugin.transform("to_world").value_or(glm::dmat4(1.0));
+    scene::SpotLight spot;
+    spot.position = point(to_world, glm::dvec3(0.0));
+    spot.direction = direction(to_world, glm::dvec3(0.0, 0.0, 1.0));
+    spot.angle = plugin.number("cutoff_angle", 20.0, 0.01, 89.99);
+    const double beam = plugin.number("beam_width", 0.75 * spot.angle, 0.0, 180.0);
+    spot.falloff = std::max(spot.angle - beam, 0.0);
+    if (plugin.has("texture")) {
+        builder.context.report.dropped(fmt::format("{}: \"texture\"", plugin.title()), "the spot is plain", plugin.position());
+    }
+    add_light(builder, plugin, spot, color_or(builder, plugin, "intensity", Color(1.0), Role::light));
+}
+
+void add_directional(Builder& builder, Plugin& plugin) {
+    const glm::dmat4 to_world = plugin.transform("to_world").value_or(glm::dmat4(1.0));
+    const glm::dvec3 travels = plugin.vector("direction", direction(to_world, glm::dvec3(0.0, 0.0, 1.0)));
+    add_light(builder, plugin, scene::DirectionalLight{travels}, color_or(builder, plugin, "irradiance", Color(1.0), Role::light));
+}
+
+void set_background(Builder& builder, const Color& color) { builder.scene.background = {color, color, color}; }
+
+void add_constant(Builder& builder, Plugin& plugin) {
+    set_background(builder, color_or(builder, plugin, "radiance", Color(1.0), Role::light));
+    builder.honoured(plugin);
+}
+
+void add_environment(Builder& builder, Plugin& plugin) {
+    plugin.ignore("filename");
+    plugin.ignore("scale");
+    plugin.ignore("to_world");
+    set_background(builder, Color(1.0));
+    builder.approximated(plugin, "white surroundings");
+}
+
+void add_sky(Builder& builder, Plugin& plugin) {
+    set_background(builder, Color(1.0));
+    builder.approximated(plugin, "white surroundings: the sky's model is not there");
+}
+
+struct Kind {
+    std::string_view name;
+    void (*add)(Builder&, Plugin&);
+};
+
+constexpr Kind kinds[] = {
+    {"point", add_point}, {"spot", add_spot}, {"directional", add_directional}, {"constant", add_constant}, {"envmap", add_environment},
+    {"sunsky", add_sky},  {"sky", add_sky},
+};
+
+}  // namespace
+
+std::optional<scene::Emission> emission_of(Builder& builder, const Element& element) {
+    Plugin plugin = builder.plugin(element);
+    scene::Emission emission;
+    if (plugin.type() == "area") {
+        emission.radiance = texture_or(builder, plugin, "radiance", Color(1.0), Role::light);
+        builder.honoured(plugin);
+    } else if (plugin.type() == "directionalarea") {
+        emission.radiance = texture_or(builder, plugin, "radiance", Color(1.0), Role::light);
+        builder.approximated(plugin, "light to all sides");
+    } else {
+        builder.error(element.position, fmt::format("{} can't belong to a shape: expected \"area\"", plugin.title()));
+        return std::nullopt;
+    }
+    plugin.ignore("sampling_weight");
+    plugin.finish();
+    return emission;
+}
+
+void add_emitter(Builder& builder, const Element& element) {
+    Plugin plugin = builder.plugin(element);
+    plugin.ignore("sampling_weight");
+    if (plugin.type() == "area" || plugin.type() == "directionalarea") {
+        return;  // waits for a shape that refers to it
+    }
+    for (const Kind& kind : kinds) {
+        if (kind.name == plugin.type()) {
+            kind.add(builder, plugin);
+            plugin.finish();
+            return;
+        }
+    }
+    std::vector<std::string> names = {"area"};
+    for (const Kind& kind : kinds) {
+        names.emplace_back(kind.name);
+    }
+    builder.dropped(plugin, "such light is not there");
+    builder.context.diagnostics.warning(
+        element.position, fmt::format("no emitter {} is known here: it is left out{}", quoted(plugin.type()), hint(plugin.type(), names)));
+}
+
+}  // namespace lancer::mitsuba

@@ -1,0 +1,205 @@
+// Mitsuba's scenes: what is read, and what is said about mistakes.
+#include <fstream>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "lancer/import/import.h"
+#include "reading.h"
+
+namespace lancer {
+namespace {
+
+using namespace lancer::testing;
+
+struct Import : Reading {
+    ImportReport report;
+
+    const ImportEntry* entry(const std::string& feature) const {
+        for (const ImportEntry& e : report.entries()) {
+            if (e.feature == feature) {
+                return &e;
+            }
+        }
+        return nullptr;
+    }
+};
+
+class Mitsuba : public ::testing::Test {
+protected:
+    Import read(const std::string& inside, const ImportOptions& options = {}, const std::string& version = "3.0.0") {
+        const std::string path = folder_.write("scene.xml", "<scene version=\"" + version + "\">\n" + inside + "\n</scene>\n");
+        Diagnostics diagnostics;
+        Import import;
+        auto scene = import_scene(path, options, import.report, diagnostics);
+        static_cast<Reading&>(import) = gather(std::move(scene), diagnostics);
+        return import;
+    }
+    scene::Scene good(const std::string& inside, const ImportOptions& options = {}) {
+        Import import = read(inside, options);
+        EXPECT_TRUE(import.scene) << import.all();
+        return import.scene.value_or(scene::Scene{});
+    }
+    void expect_error(const std::string& inside, const std::string& message) {
+        const Import import = read(inside);
+        EXPECT_FALSE(import.scene);
+        EXPECT_NE(import.all().find(message), std::string::npos) << import.all();
+    }
+
+    TemporaryFolder folder_;
+};
+
+// ---- The language -----------------------------------------------------------------------------------------------------------------
+
+TEST_F(Mitsuba, DefaultsAndParameters) {
+    const std::string text = R"(<default name="r" value="2"/><default name="r" value="3"/>
+        <shape type="sphere"><float name="radius" value="$r"/></shape>)";
+    EXPECT_EQ(std::get<scene::Sphere>(good(text).objects.at(0).shape).radius, 2.0);
+    ImportOptions options;
+    options.defines["r"] = "5";
+    EXPECT_EQ(std::get<scene::Sphere>(good(text, options).objects.at(0).shape).radius, 5.0);
+    expect_error(R"(<default name="radius" value="1"/><shape type="sphere"><float name="radius" value="$radus"/></shape>)",
+                 R"(scene.xml:2:56: error: the parameter "$radus" has no value: give it one with -D radus=VALUE; did you mean "radius"?)");
+}
+
+TEST_F(Mitsuba, IncludesShareDefaultsAndFolders) {
+    std::filesystem::create_directory(folder_ / "parts");
+    folder_.write("parts/ball.xml", R"(<scene version="3.0.0"><default name="r" value="4"/>
+        <shape type="sphere"><float name="radius" value="$r"/></shape></scene>)");
+    const scene::Scene scene =
+        good(R"(<path value="parts"/><include filename="ball.xml"/><shape type="sphere"><float name="radius" value="$r"/></shape>)");
+    ASSERT_EQ(scene.objects.size(), 2u);
+    EXPECT_EQ(std::get<scene::Sphere>(scene.objects[1].shape).radius, 4.0);
+}
+
+TEST_F(Mitsuba, IncludesNeverGoRound) {
+    folder_.write("other.xml", R"(<scene version="3.0.0"><include filename="scene.xml"/></scene>)");
+    expect_error(R"(<include filename="other.xml"/>)", "includes itself");
+}
+
+TEST_F(Mitsuba, IncludesAreCounted) {
+    // Each file includes the next one ten times: 10^9 files without a limit.
+    for (int i = 0; i < 9; ++i) {
+        std::string text = "<scene version=\"3.0.0\">";
+        for (int k = 0; k < 10; ++k) {
+            text += "<include filename=\"f" + std::to_string(i + 1) + ".xml\"/>";
+        }
+        folder_.write("f" + std::to_string(i) + ".xml", text + "</scene>");
+    }
+    folder_.write("f9.xml", "<scene version=\"3.0.0\"/>");
+    expect_error(R"(<include filename="f0.xml"/>)", "far too many files");
+}
+
+TEST_F(Mitsuba, EntitiesAreNotExpanded) {
+    const std::string path =
+        folder_.write("laughs.xml", R"(<!DOCTYPE scene [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;"><!ENTITY c SYSTEM "/etc/passwd">]>
+        <scene version="3.0.0"><shape type="sphere" id="&b;&c;"/></scene>)");
+    const Reading reading = read_path(path);
+    ASSERT_TRUE(reading.scene) << reading.all();
+    EXPECT_EQ(reading.scene->objects.at(0).name, "&b;&c;");
+}
+
+TEST_F(Mitsuba, DepthIsBounded) {
+    std::string deep;
+    for (int i = 0; i < 100000; ++i) {
+        deep += "<bsdf>";
+    }
+    for (int i = 0; i < 100000; ++i) {
+        deep += "</bsdf>";
+    }
+    expect_error(deep, "nested too deeply");
+}
+
+TEST_F(Mitsuba, ReferencesByIdAndAlias) {
+    const scene::Scene scene = good(R"(
+        <bsdf type="diffuse" id="red"><rgb name="reflectance" value="0.5, 0, 0"/></bsdf><alias id="red" as="paint"/>
+        <shape type="sphere"><ref id="red"/></shape><shape type="sphere"><ref id="paint"/></shape>)");
+    ASSERT_EQ(scene.materials.size(), 1u);
+    EXPECT_EQ(scene.objects.at(1).material, 0);
+    expect_error(R"(<bsdf type="diffuse" id="green"/><shape type="sphere"><ref id="grean"/></shape>)",
+                 R"(scene.xml:2:55: error: nothing has the id "grean"; did you mean "green"?)");
+    expect_error(R"(<bsdf type="twosided" id="a"><ref id="a"/></bsdf><shape type="sphere"><ref id="a"/></shape>)", "circle");
+}
+
+TEST_F(Mitsuba, MistakesHavePlaces) {
+    expect_error("<shape type=\"sphere\">\n  <float name=\"radius\" value=\"big\"/></shape>",
+                 "scene.xml:3:3: error: \"radius\": expected a number, found \"big\"");
+    expect_error("<shape type=\"sphere\">", "no well-formed XML");
+    const Import import = read(R"(<shape type="sphere"><float name="raduis" value="1"/></shape>)");
+    EXPECT_TRUE(import.scene);
+    EXPECT_NE(import.all().find("\"raduis\" means nothing here"), std::string::npos) << import.all();
+    EXPECT_NE(import.entry("shape \"sphere\": \"raduis\""), nullptr);
+}
+
+TEST_F(Mitsuba, NamesOfVersionZero) {
+    const Import import = read(R"(<shape type="sphere"><transform name="toWorld"><translate x="3"/></transform></shape>
+        <sensor type="perspective"><transform name="toWorld"><lookAt origin="0,0,5" target="0,0,0" up="0,1,0"/></transform></sensor>)",
+                               {}, "0.6.0");
+    ASSERT_TRUE(import.scene) << import.all();
+    EXPECT_EQ(import.scene->objects.at(0).to_parent[3].x, 3.0);
+    EXPECT_EQ(import.scene->cameras.at(0).direction.z, -1.0);
+}
+
+// ---- What the words mean ------------------------------------------------------------------------------------------------------------
+
+TEST_F(Mitsuba, TransformsApplyInTheOrderOfWriting) {
+    const scene::Scene scene = good(R"(<shape type="rectangle"><transform name="to_world">
+        <translate x="1"/><rotate z="1" angle="90"/><scale value="2"/></transform></shape>)");
+    const glm::dvec4 origin = scene.objects.at(0).to_parent * glm::dvec4(0, 0, 0, 1);
+    EXPECT_NEAR(glm::distance(glm::dvec3(origin), glm::dvec3(0, 2, 0)), 0.0, 1e-12);
+}
+
+TEST_F(Mitsuba, CamerasFieldOfView) {
+    const auto camera = [&](const std::string& inside) {
+        return good(
+                   "<sensor type=\"perspective\">" + inside +
+                   "<film type=\"hdrfilm\"><integer name=\"width\" value=\"400\"/><integer name=\"height\" value=\"300\"/></film></sensor>")
+            .cameras.at(0);
+    };
+    EXPECT_EQ(camera(R"(<float name="fov" value="40"/>)").fov_axis, scene::FovAxis::width);
+    EXPECT_EQ(camera(R"(<float name="fov" value="40"/><string name="fov_axis" value="smaller"/>)").fov_axis, scene::FovAxis::height);
+    // Across the diagonal of 5, the width is 4.
+    const double half = std::atan(0.8 * std::tan(glm::radians(20.0)));
+    EXPECT_NEAR(camera(R"(<float name="fov" value="40"/><string name="fov_axis" value="diagonal"/>)").fov, glm::degrees(2.0 * half), 1e-9);
+}
+
+TEST_F(Mitsuba, DepthCountsEmission) {
+    EXPECT_EQ(good(R"(<integrator type="path"><integer name="max_depth" value="2"/></integrator>)").settings.bounces, 1);
+    EXPECT_EQ(good(R"(<integrator type="moment"><integrator type="direct"/></integrator>)").settings.bounces, 1);
+}
+
+TEST_F(Mitsuba, UnknownPluginsAreSaid) {
+    const Import import = read(R"(<shape type="spere"/><emitter type="constnt"/><shape type="sphere"><bsdf type="velvet"/></shape>)");
+    EXPECT_TRUE(import.scene);
+    EXPECT_NE(import.all().find("did you mean \"sphere\"?"), std::string::npos) << import.all();
+    ASSERT_NE(import.entry("shape \"spere\""), nullptr);
+    EXPECT_EQ(import.entry("shape \"spere\"")->treatment, Treatment::dropped);
+    ASSERT_NE(import.entry("bsdf \"velvet\""), nullptr);
+    EXPECT_EQ(import.entry("bsdf \"velvet\"")->treatment, Treatment::approximated);
+}
+
+TEST_F(Mitsuba, InstancesShareTheirGroup) {
+    const scene::Scene scene = good(R"(<shape type="shapegroup" id="g"><shape type="cube"/><shape type="disk"/></shape>
+        <shape type="instance"><ref id="g"/></shape>
+        <shape type="instance"><ref id="g"/><transform name="to_world"><translate z="2"/></transform></shape>)");
+    ASSERT_EQ(scene.groups.size(), 1u);
+    EXPECT_EQ(scene.groups[0].objects.size(), 2u);
+    ASSERT_EQ(scene.placements.size(), 2u);
+    EXPECT_EQ(scene.placements[1].to_parent[3].z, 2.0);
+}
+
+TEST_F(Mitsuba, CubesPointOutwards) {
+    const scene::Scene scene = good(R"(<shape type="cube"/>)");
+    const scene::TriangleMesh& mesh = *std::get<scene::Mesh>(scene.objects.at(0).shape).data;
+    ASSERT_EQ(mesh.triangles.size(), 12u);
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::vec3 middle = (mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0f;
+        const glm::vec3 normal = glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]);
+        EXPECT_GT(glm::dot(normal, middle), 0.0f);
+        EXPECT_GT(glm::dot(normal, mesh.normals[t.x]), 0.0f);
+    }
+}
+
+}  // namespace
+}  // namespace lancer
