@@ -1,8 +1,8 @@
 # The scenes that the program carries with it, so that it shows its figures wherever it is started: everything under scenes/ but what only
-# benchmarks and tests use, and the scripts that made the meshes and textures.
+# benchmarks, tests and documentation use, and the scripts that made the meshes and textures.
 function(lancer_embed_scenes target)
     file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/scenes/*)
-    list(FILTER files EXCLUDE REGEX "^scenes/(benchmark|analytic)/|\\.py$")
+    list(FILTER files EXCLUDE REGEX "^scenes/(benchmark|analytic|gltf)/|\\.py$")
     list(SORT files)
     set(generated ${CMAKE_CURRENT_BINARY_DIR}/embedded_scenes.cpp)
     list(TRANSFORM files PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE dependencies)

@@ -14,12 +14,7 @@ inline void require(bool condition) {
     }
 }
 
-inline void check_mesh_of_fuzzer(const std::optional<lancer::scene::TriangleMesh>& mesh, const lancer::Diagnostics& diagnostics) {
-    require(mesh.has_value() != diagnostics.has_errors());
-    require(diagnostics.list().size() < 100);
-    if (!mesh) {
-        return;
-    }
+inline void check_sound_mesh(const lancer::scene::TriangleMesh* mesh) {
     require(!mesh->triangles.empty());
     require(mesh->normals.empty() || mesh->normals.size() == mesh->positions.size());
     require(mesh->uvs.empty() || mesh->uvs.size() == mesh->positions.size());
@@ -37,5 +32,13 @@ inline void check_mesh_of_fuzzer(const std::optional<lancer::scene::TriangleMesh
     }
     for (const glm::vec2& uv : mesh->uvs) {
         require(std::isfinite(uv.x) && std::isfinite(uv.y));
+    }
+}
+
+inline void check_mesh_of_fuzzer(const std::optional<lancer::scene::TriangleMesh>& mesh, const lancer::Diagnostics& diagnostics) {
+    require(mesh.has_value() != diagnostics.has_errors());
+    require(diagnostics.list().size() < 100);
+    if (mesh) {
+        check_sound_mesh(&*mesh);
     }
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lancer {
@@ -52,6 +53,9 @@ struct StoredPixels {
     int bits = 0;
 };
 StoredPixels read_stored_pixels(const std::string& path);
+
+// The same for a file's bytes in memory; `name` is for messages.
+StoredPixels read_stored_pixels(std::string_view bytes, const std::string& name);
 
 // The sRGB transfer curve [IEC 61966-2-1], both ways, for one value; not clipped, straight below zero.
 float srgb_encode(float linear);

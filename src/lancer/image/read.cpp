@@ -15,6 +15,7 @@
 #include "lancer/base/file.h"
 #include "lancer/image/image.h"
 #include "lancer/image/images_module.h"
+#include "lancer/image/memory_file.h"
 #include "lancer/image/png.h"
 #include "lancer/image/signature.h"
 #include "lancer/image/stored.h"
@@ -174,6 +175,21 @@ Image read_image(const std::string& path, Encoding encoding, bool& encoded) {
         decode_srgb(stored.image, stored.bits);
     }
     return std::move(stored.image);
+}
+
+StoredPixels read_stored_pixels(std::string_view bytes, const std::string& name) {
+    const MemoryFile file(bytes);
+    try {
+        return read_stored_pixels(file.path());
+    } catch (const MachineFailure&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        std::string message = error.what();
+        if (const std::size_t at = message.find(file.path()); at != std::string::npos) {
+            message.replace(at, file.path().size(), name);
+        }
+        throw std::runtime_error(message);
+    }
 }
 
 }  // namespace lancer

@@ -37,4 +37,6 @@ std::vector<scene::Light> default_lights() {
 
 scene::Background default_background() { return {scene::Rgb(0.75), scene::Rgb(0.5), scene::Rgb(0.25)}; }
 
+scene::Background neutral_surroundings() { return {scene::Rgb(1.2), scene::Rgb(0.7), scene::Rgb(0.25)}; }
+
 }  // namespace lancer

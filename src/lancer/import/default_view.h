@@ -17,4 +17,7 @@ std::vector<scene::Light> default_lights();
 // Light grey, brighter above.
 scene::Background default_background();
 
+// For light that follows physics: grey surroundings, brighter above, that light a scene without lamps; a white surface that faces up is seen as white.
+scene::Background neutral_surroundings();
+
 }  // namespace lancer

@@ -6,6 +6,7 @@
 
 #include "lancer/base/file.h"
 #include "lancer/import/default_view.h"
+#include "lancer/import/gltf/gltf.h"
 #include "lancer/import/import.h"
 #include "lancer/import/mitsuba/mitsuba.h"
 #include "lancer/import/pbrt/pbrt.h"
@@ -40,6 +41,8 @@ struct Format {
 
 // All formats but our own.
 constexpr std::array formats = {
+    Format{".gltf", read_gltf},
+    Format{".glb", read_gltf},
     Format{".obj", read_mesh_alone},
     Format{".ply", read_mesh_alone},
     Format{".pbrt", read_pbrt},

@@ -37,6 +37,9 @@ FN CutLayer meet_layer(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Mask met
             if (material.opacity_cutoff > 0.0f) {
                 opacity = select(opacity >= Float(material.opacity_cutoff), Float(1.0f), Float(0.0f));
             }
+            if ((material.flags & MATERIAL_OPEN_BEHIND) != 0) {
+                opacity = select(dot(s.normal, ray.direction) > Float(0.0f), Float(0.0f), opacity);
+            }
             layer.opacity = select(mine, opacity, layer.opacity);
             layer.position = select(mine, s.position, layer.position);
             layer.error = select(mine, s.error, layer.error);

@@ -29,17 +29,18 @@ const int BSDF_PRINCIPLED = 7;
 const int BSDF_KINDS = 8;
 
 const int MATERIAL_EMITS = 1;
-const int MATERIAL_EMITS_BEHIND = 2;  // on its inner side, too
-const int MATERIAL_ONE_SIDED = 4;     // seen from within it is black
-const int MATERIAL_BECKMANN = 8;      // its facets follow Beckmann's distribution, else GGX
-const int MATERIAL_SATURATES = 16;    // plastic: light that the coat sends back to the body takes its colour once more
-const int MATERIAL_THIN = 32;         // principled: a sheet without inside; what goes through is not bent
-const int MATERIAL_MAPPED = 64;       // needs to know how uv lies on the surface
-const int MATERIAL_TINTED = 128;      // needs the colours of vertices or faces
-const int MATERIAL_TURNED = 256;      // has a direction on the surface: u
-const int MATERIAL_RELIEF = 512;      // its normals are bent by a texture
-const int MATERIAL_CHOOSES = 1024;    // is a mix, or has another material behind
-const int MATERIAL_CUT = 2048;        // is not there everywhere, see `opacity`
+const int MATERIAL_EMITS_BEHIND = 2;    // on its inner side, too
+const int MATERIAL_ONE_SIDED = 4;       // seen from within it is black
+const int MATERIAL_BECKMANN = 8;        // its facets follow Beckmann's distribution, else GGX
+const int MATERIAL_SATURATES = 16;      // plastic: light that the coat sends back to the body takes its colour once more
+const int MATERIAL_THIN = 32;           // principled: a sheet without inside; what goes through is not bent
+const int MATERIAL_MAPPED = 64;         // needs to know how uv lies on the surface
+const int MATERIAL_TINTED = 128;        // needs the colours of vertices or faces
+const int MATERIAL_TURNED = 256;        // has a direction on the surface: u
+const int MATERIAL_RELIEF = 512;        // its normals are bent by a texture
+const int MATERIAL_CHOOSES = 1024;      // is a mix, or has another material behind
+const int MATERIAL_CUT = 2048;          // is not there everywhere, see `opacity`
+const int MATERIAL_OPEN_BEHIND = 4096;  // nor where it is met from within; always cut, too
 
 // A number of a material that a texture gives: offset + scale * channel.
 const int INPUT_ROUGHNESS = 0;  // its square is alpha; rough diffuse surfaces take it as it is

@@ -101,6 +101,10 @@ const int TEXTURE_IMAGE = 3;
 const int TEXTURE_VERTEX_COLOR = 4;  // of the mesh, between its corners
 const int TEXTURE_FACE_COLOR = 5;    // of the mesh, one a triangle
 
+const int TINT_NONE = 0;
+const int TINT_FIRST = 1;          // times `first`
+const int TINT_VERTEX_COLORS = 2;  // times the colours of the vertices, too
+
 const int WRAP_REPEAT = 0;
 const int WRAP_CLAMP = 1;
 const int WRAP_MIRROR = 2;
@@ -120,8 +124,9 @@ const int REFRACTION_SELLMEIER = 1;  // a = B1 B2 B3, b = C1 C2 C3 in square mic
 
 struct TextureRecord {
     int kind;
-    vec3 first;
+    vec3 first;  // of a checker; of pictures and colours of the mesh what they are multiplied with
     vec3 second;
+    int tint;    // TINT_*
     float size;  // of a checker's cells
     vec3 row_u;  // where the picture is looked up: (row_u . (u, v, 1), row_v . (u, v, 1))
     vec3 row_v;
@@ -305,7 +310,7 @@ namespace lancer::kernel {
 static_assert(sizeof(vec3) == 12 && sizeof(vec2) == 8, "records have scalar layout");
 static_assert(sizeof(SphereRecord) == 16 && sizeof(BoxRecord) == 24 && sizeof(PlaneRecord) == 76 && sizeof(AffineRecord) == 48 &&
               sizeof(PlacedRecord) == 156 && sizeof(TriangleRecord) == 36 && sizeof(InstanceRecord) == 104 && sizeof(ObjectRecord) == 28 &&
-              sizeof(TextureRecord) == 88 && sizeof(WhittedRecord) == 40 && sizeof(MediumRecord) == 44 && sizeof(LightRecord) == 48 &&
+              sizeof(TextureRecord) == 92 && sizeof(WhittedRecord) == 40 && sizeof(MediumRecord) == 44 && sizeof(LightRecord) == 48 &&
               sizeof(CameraRecord) == 104);
 }  // namespace lancer::kernel
 #endif

@@ -185,6 +185,14 @@ FN Vec4 texture_color(IN(WorldRecord) world, IN(TextureRecord) texture, IN(Surfa
             color = checker(texture, square_wave(place.x * cell, wide) * square_wave(place.y * cell, high));
         }
     }
+    if (texture.tint != TINT_NONE) {
+        Vec3 tint = broadcast(texture.first);
+        color = vec4_of(color.x * tint.x, color.y * tint.y, color.z * tint.z, color.w);
+        if (texture.tint == TINT_VERTEX_COLORS) {
+            Vec4 own = point.vertex_color;
+            color = vec4_of(color.x * own.x, color.y * own.y, color.z * own.z, color.w * own.w);
+        }
+    }
     return color;
 }
 

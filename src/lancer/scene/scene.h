@@ -36,7 +36,9 @@ enum class Filter { nearest, bilinear, mipmaps };
 
 // A picture laid over the surface's uv coordinates; (0, 0) is its lower left corner. It is looked up at rotation * (scale * uv) + offset.
 struct ImageTexture {
-    std::string file;  // resolved against the scene file's folder
+    std::string
+        file;  // resolved against the scene file's folder; where there are `bytes`, what to call them: another name for each picture
+    std::shared_ptr<const std::string> bytes = nullptr;  // of a file that lies within another one
     Wrap wrap = Wrap::repeat;
     std::optional<Wrap> wrap_v = std::nullopt;  // where it differs from `wrap`
     Filter filter = Filter::mipmaps;
@@ -44,13 +46,16 @@ struct ImageTexture {
     glm::dvec2 scale{1.0};
     double rotation = 0.0;  // degrees, anticlockwise
     glm::dvec2 offset{0.0};
-    int uv_set = 0;  // 0 or 1, of a mesh that has two
+    int uv_set = 0;                  // 0 or 1, of a mesh that has two
+    Rgb tint{1.0};                   // times this; alpha stays
+    bool times_mesh_colors = false;  // and times the colours and alphas of the mesh's vertices
     SourcePosition position;
 };
 
 // Colours that a mesh brings along, for each of its vertices or triangles; white where it has none.
 struct MeshColors {
     bool of_faces = false;
+    Rgb tint{1.0};  // times this
 };
 
 using Texture = std::variant<Rgb, Checker, ImageTexture, MeshColors>;
@@ -194,6 +199,7 @@ struct Material {
     double opacity_cutoff = 0.0;     // above 0: it is there where the opacity is at least this, and nowhere else
     std::optional<int> behind = {};  // what is seen from within instead: index into Scene::materials
     bool one_sided = false;          // black when seen from within
+    bool open_behind = false;        // not there when seen from within
 };
 
 inline bool is_physical(const Material& material) {

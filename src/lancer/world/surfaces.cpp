@@ -180,6 +180,10 @@ private:
             record.flags |= kernel::MATERIAL_CUT;
             world_.has_cuts = true;
         }
+        if (material.open_behind) {
+            record.flags |= kernel::MATERIAL_CUT | kernel::MATERIAL_OPEN_BEHIND;
+            world_.has_cuts = true;
+        }
         world_.has_choices = world_.has_choices || (record.flags & kernel::MATERIAL_CHOOSES) != 0;
     }
 
@@ -247,6 +251,7 @@ private:
                 const kernel::TextureRecord& texture = world_.textures[static_cast<std::size_t>(number)];
                 const bool of_mesh = texture.kind == kernel::TEXTURE_VERTEX_COLOR || texture.kind == kernel::TEXTURE_FACE_COLOR;
                 record.flags |= of_mesh ? kernel::MATERIAL_TINTED : kernel::MATERIAL_MAPPED;
+                record.flags |= texture.tint == kernel::TINT_VERTEX_COLORS ? kernel::MATERIAL_TINTED : 0;
             }
         };
         for (const kernel::ColorRecord* color : {&record.color, &record.index, &record.extinction, &record.emission}) {

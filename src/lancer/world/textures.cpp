@@ -30,6 +30,11 @@ kernel::TextureRecord plain_texture(int kind) {
     return texture;
 }
 
+void set_tint(const scene::Rgb& tint, kernel::TextureRecord& texture) {
+    texture.first = kernel::vec3(tint);
+    texture.tint = tint == scene::Rgb(1.0) ? kernel::TINT_NONE : kernel::TINT_FIRST;
+}
+
 }  // namespace
 
 CompiledTexture Textures::add(const scene::Texture& texture) {
@@ -47,7 +52,9 @@ CompiledTexture Textures::compile(const scene::Checker& checker) {
 }
 
 CompiledTexture Textures::compile(const scene::MeshColors& colors) {
-    return push(plain_texture(colors.of_faces ? kernel::TEXTURE_FACE_COLOR : kernel::TEXTURE_VERTEX_COLOR));
+    kernel::TextureRecord texture = plain_texture(colors.of_faces ? kernel::TEXTURE_FACE_COLOR : kernel::TEXTURE_VERTEX_COLOR);
+    set_tint(colors.tint, texture);
+    return push(texture);
 }
 
 CompiledTexture Textures::compile(const scene::ImageTexture& image) {
@@ -61,6 +68,10 @@ CompiledTexture Textures::compile(const scene::ImageTexture& image) {
     texture.wrap_v = wrap_of(image.wrap_v.value_or(image.wrap));
     texture.look = look_of(image.filter);
     texture.uv_set = image.uv_set;
+    set_tint(image.tint, texture);
+    if (image.times_mesh_colors) {
+        texture.tint = kernel::TINT_VERTEX_COLORS;
+    }
     const double angle = glm::radians(image.rotation);
     const double cosine = image.rotation == 0.0 ? 1.0 : std::cos(angle);
     const double sine = image.rotation == 0.0 ? 0.0 : std::sin(angle);
@@ -82,7 +93,7 @@ Textures::Texels Textures::load(const scene::ImageTexture& image) {
     }
     Texels texels;
     try {
-        const StoredPixels pixels = read_stored_pixels(image.file);
+        const StoredPixels pixels = image.bytes ? read_stored_pixels(*image.bytes, image.file) : read_stored_pixels(image.file);
         const bool encoded = !image.linear && pixels.bits != 0;
         texels.storage = storage_of(pixels);
         texels.encoded = encoded && pixels.bits == 8;

@@ -1,0 +1,37 @@
+#include "lancer/import/gltf/gltf.h"
+
+#include "lancer/import/default_view.h"
+#include "lancer/import/gltf/build.h"
+
+namespace lancer {
+
+void read_gltf(ImportContext& context, scene::Scene& scene) {
+    if (auto bytes = context.files.open(context.path, {})) {
+        read_gltf(std::move(*bytes), context, scene);
+    }
+}
+
+void read_gltf(FileBytes bytes, ImportContext& context, scene::Scene& scene) {
+    scene.settings.integrator = "path";
+    gltf::Document document(context.path, context.diagnostics, context.report);
+    if (!document.load(std::move(bytes))) {
+        return;
+    }
+    gltf::build(document, context, scene);
+    if (document.has_errors() || context.diagnostics.has_errors()) {
+        return;
+    }
+    if (scene.objects.empty() && scene.placements.empty()) {
+        context.diagnostics.warning({context.path}, "there is nothing to be seen in this file");
+    }
+    if (scene.cameras.empty()) {
+        scene.cameras.push_back(default_camera(scene::bounds(scene)));
+        context.report.approximated("no camera", "one that sees everything stands in front of it", {context.path});
+    }
+    if (scene.lights.empty()) {
+        scene.background = neutral_surroundings();
+        context.report.approximated("no light", "neutral surroundings, brighter above, light the scene", {context.path});
+    }
+}
+
+}  // namespace lancer
