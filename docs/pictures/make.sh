@@ -13,7 +13,11 @@ picture() {
     local name=$1 scene=$2
     shift 2
     [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " == *" $name "* ]] || return 0
-    "$lancer" render "scenes/$scene.toml" -o "docs/pictures/$name.png" --progress plain "$@" 2>/dev/null
+    case $scene in
+    *.*) scene=scenes/$scene ;;
+    *) scene=scenes/$scene.toml ;;
+    esac
+    "$lancer" render "$scene" -o "docs/pictures/$name.png" --progress plain "$@" 2>/dev/null
 }
 
 # flip NAME PICTURE REFERENCE: the map of what differs between two pictures of this folder
@@ -85,3 +89,4 @@ aov direct direct.R,direct.G,direct.B --mulc 2 "${encoded[@]}"
 aov indirect indirect.R,indirect.G,indirect.B --mulc 2 "${encoded[@]}"
 [ ${#wanted[@]} -gt 0 ] && [[ " ${wanted[*]} " != *" mitsuba "* ]] ||
     "$lancer" render scenes/mitsuba/still-life.xml -o docs/pictures/mitsuba.png --size 640x360 --progress plain 2>/dev/null
+picture gltf gltf/still-life.glb --size 480x320 --spp 96

@@ -47,7 +47,7 @@ TEST(Gltf, IndicesOfEveryTypeStripsAndFans) {
 
 TEST(Gltf, NormalizedIntegersAndSparseValues) {
     GltfFile file;
-    const std::vector<std::int16_t> positions = {0, 0, 0, 0, 32767, 0, 0, 0, 0, -32768, 16384, 0};
+    const std::vector<std::int16_t> positions = {0, 0, 0, 0, 32767, 0, 0, 0, -32768, 16384, 0, 0};
     const int accessor = file.accessor<std::int16_t>("VEC4", positions, true);
     file.json["accessors"][0]["type"] = "VEC3";
     file.json["accessors"][0]["count"] = 3;
@@ -271,7 +271,7 @@ TEST(GltfErrors, NodesThatGoInCircles) {
 TEST(GltfErrors, PlacesAndPointers) {
     const GltfReading broken = read_gltf_bytes("{\"asset\": {\"version\": \"2.0\"},\n \"nodes\": [ {\"mesh\": 7} ]}");
     EXPECT_FALSE(broken.scene);
-    EXPECT_NE(broken.all().find("scene.gltf:2:23: error: /nodes/0/mesh: 7"), std::string::npos) << broken.all();
+    EXPECT_NE(broken.all().find("scene.gltf:2:22: error: /nodes/0/mesh: 7"), std::string::npos) << broken.all();
     expect_refused(read_gltf_bytes("{\"asset\": 01}"), ":1:");
     GltfFile file;
     file.triangle();

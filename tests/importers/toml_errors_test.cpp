@@ -415,8 +415,10 @@ TEST(TomlMistakes, StopsListingAfterAHundred) {
 TEST(ImportScene, ExplainsWhatCannotBeRead) {
     const TemporaryFolder folder;
     EXPECT_EQ(read_path(folder / "no.toml").all(), "error: cannot read \"" + (folder / "no.toml") + "\": there is no such file\n");
-    EXPECT_EQ(read_path("x.blend").all(), "error: cannot tell what \"x.blend\" is: scenes end with one of .toml, .obj, .ply, .pbrt\n");
-    EXPECT_EQ(read_path("x").all(), "error: cannot tell what \"x\" is: scenes end with one of .toml, .obj, .ply, .pbrt\n");
+    EXPECT_EQ(read_path("x.blend").all(),
+              "error: cannot tell what \"x.blend\" is: scenes end with one of .toml, .gltf, .glb, .obj, .ply, .pbrt, .xml\n");
+    EXPECT_EQ(read_path("x").all(),
+              "error: cannot tell what \"x\" is: scenes end with one of .toml, .gltf, .glb, .obj, .ply, .pbrt, .xml\n");
     std::filesystem::create_directory(folder / "folder.toml");
     EXPECT_EQ(read_path(folder / "folder.toml").all(), "error: cannot read \"" + (folder / "folder.toml") + "\": it is a folder\n");
     const std::string large = folder.write("large.toml", "");

@@ -41,12 +41,8 @@ struct Format {
 
 // All formats but our own.
 constexpr std::array formats = {
-    Format{".gltf", read_gltf},
-    Format{".glb", read_gltf},
-    Format{".obj", read_mesh_alone},
-    Format{".ply", read_mesh_alone},
-    Format{".pbrt", read_pbrt},
-    Format{".xml", read_mitsuba},
+    Format{".gltf", read_gltf},      Format{".glb", read_gltf},  Format{".obj", read_mesh_alone},
+    Format{".ply", read_mesh_alone}, Format{".pbrt", read_pbrt}, Format{".xml", read_mitsuba},
 };
 
 }  // namespace
