@@ -101,6 +101,7 @@ const int WRAP_MIRROR = 2;
 
 const int REFRACTION_CAUCHY = 0;     // n = a[0] + a[1] / nm^2; a constant index has a[1] = 0
 const int REFRACTION_SELLMEIER = 1;  // a = B1 B2 B3, b = C1 C2 C3 in square micrometres
+const int REFRACTION_CURVE = 2;      // curves[curve]
 
 struct TextureRecord {
     int kind;
@@ -134,6 +135,7 @@ struct MediumRecord {
     vec3 refraction_a;
     vec3 refraction_b;
     vec3 absorption;  // linear RGB, per metre
+    int curve;
 };
 
 // ---- Lights, camera, surroundings -------------------------------------------------------------------------------------------------
@@ -273,7 +275,7 @@ namespace lancer::kernel {
 static_assert(sizeof(vec3) == 12 && sizeof(vec2) == 8, "records have scalar layout");
 static_assert(sizeof(SphereRecord) == 16 && sizeof(BoxRecord) == 24 && sizeof(PlaneRecord) == 76 && sizeof(AffineRecord) == 48 &&
               sizeof(PlacedRecord) == 156 && sizeof(TriangleRecord) == 36 && sizeof(InstanceRecord) == 104 && sizeof(ObjectRecord) == 28 &&
-              sizeof(TextureRecord) == 68 && sizeof(WhittedRecord) == 40 && sizeof(MediumRecord) == 44 && sizeof(LightRecord) == 48 &&
+              sizeof(TextureRecord) == 68 && sizeof(WhittedRecord) == 40 && sizeof(MediumRecord) == 48 && sizeof(LightRecord) == 48 &&
               sizeof(CameraRecord) == 104);
 }  // namespace lancer::kernel
 #endif

@@ -10,7 +10,11 @@
 
 NAMESPACE_BEGIN
 
+#ifdef __cplusplus
+using Spectrum = Vec4;
+#else
 #define Spectrum Vec4
+#endif
 
 const float FIRST_WAVELENGTH = 360.0f;  // nanometres
 const float LAST_WAVELENGTH = 830.0f;

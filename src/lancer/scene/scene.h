@@ -16,10 +16,9 @@
 #include <glm/vec3.hpp>
 
 #include "lancer/base/diagnostic.h"
+#include "lancer/scene/color.h"
 
 namespace lancer::scene {
-
-using Rgb = glm::dvec3;  // linear
 
 // ---- Textures -------------------------------------------------------------------------------------------------------------------
 
@@ -45,7 +44,7 @@ struct ImageTexture {
     SourcePosition position;
 };
 
-using Texture = std::variant<Rgb, Checker, ImageTexture>;
+using Texture = std::variant<Color, Checker, ImageTexture>;
 
 // ---- Refraction -----------------------------------------------------------------------------------------------------------------
 
@@ -66,13 +65,13 @@ struct NamedGlass {
 };
 
 // A plain number is the same index at every wavelength.
-using Refraction = std::variant<double, AbbeGlass, SellmeierGlass, NamedGlass>;
+using Refraction = std::variant<double, AbbeGlass, SellmeierGlass, NamedGlass, MeasuredSpectrum>;
 
 // ---- Materials ------------------------------------------------------------------------------------------------------------------
 
 // The report's material, with transparency added [Whitted 1980]. All weights are shares in [0, 1].
 struct WhittedMaterial {
-    Texture color = Rgb{0.8};
+    Texture color = Color(Rgb(0.8));
     double ambient = 0.1;
     double diffuse = 0.9;
     double highlight = 0.3;
@@ -80,38 +79,40 @@ struct WhittedMaterial {
     double reflectivity = 0.0;
     double transparency = 0.0;
     Refraction refraction = 1.5;
-    Rgb absorption{0.0};  // inside a transparent body, per metre
+    Color absorption = Color();  // inside a transparent body, per metre
 };
 
 // The rest follow physics: they are for the path integrator. Roughness runs from 0, smooth, to 1; its square is the width of the facets' slopes.
 
 // Scatters to all sides alike [Lambert 1760], or as small facets of that kind do.
 struct DiffuseMaterial {
-    Texture color = Rgb{0.8};
+    Texture color = Color(Rgb(0.8));
     double roughness = 0.0;
 };
 
-// A metal, by name or by its colour when seen straight on.
+// A metal, by name, by its complex index n + i k, or by its colour when seen straight on.
 struct ConductorMaterial {
-    std::string metal;  // a name that spectrum/metal.h knows; empty: `color`
-    Texture color = Rgb{1.0};
+    std::string metal;  // a name that spectrum/metal.h knows; empty: n and k, or `color`
+    Texture color = Color(Rgb(1.0));
     double roughness = 0.0;
     double anisotropy = 0.0;  // how much smoother along u than along v, 0 to 1
+    std::optional<MeasuredSpectrum> n = std::nullopt;  // both or none
+    std::optional<MeasuredSpectrum> k = std::nullopt;
 };
 
 // A clear body, such as glass or water; or a pane of it, so thin that nothing is seen to be shifted.
 struct DielectricMaterial {
     Refraction refraction = 1.5;
-    Texture color = Rgb{1.0};  // a tint for whatever it reflects or lets through; white in nature
+    Texture color = Color(Rgb(1.0));  // a tint for whatever it reflects or lets through; white in nature
     double roughness = 0.0;
     double anisotropy = 0.0;
-    Rgb absorption{0.0};  // inside, per metre
+    Color absorption = Color();  // inside, per metre
     bool thin = false;
 };
 
 // A coloured body under a clear coat.
 struct PlasticMaterial {
-    Texture color = Rgb{0.8};
+    Texture color = Color(Rgb(0.8));
     double refraction = 1.5;  // of the coat
     double roughness = 0.0;
     bool saturates = true;  // light that the coat sends back takes the body's colour again
@@ -119,18 +120,18 @@ struct PlasticMaterial {
 
 // Layers: sheen over a clear coat over a base of metal, coloured body or clear body. After glTF's metallic-roughness and its extensions.
 struct PrincipledMaterial {
-    Texture color = Rgb{0.8};
+    Texture color = Color(Rgb(0.8));
     double metalness = 0.0;
     double roughness = 0.3;
     double anisotropy = 0.0;
     double refraction = 1.5;
-    Rgb specular{1.0};  // tint of what the base reflects
+    Color specular = Rgb(1.0);  // tint of what the base reflects
     double transmission = 0.0;
     bool thin = false;
-    Rgb absorption{0.0};
+    Color absorption = Color();
     double coat = 0.0;
     double coat_roughness = 0.0;
-    Rgb sheen{0.0};
+    Color sheen = Color();
     double sheen_roughness = 0.3;
     double film = 0.0;  // thickness in nanometres of a thin film; 0: none
     double film_refraction = 1.3;
@@ -138,7 +139,7 @@ struct PrincipledMaterial {
 
 // Light that a surface gives by itself.
 struct Emission {
-    Texture radiance = Rgb{0.0};  // W/(m^2 sr), weighed by the eye: 1 is as bright as a white surface under an irradiance of pi
+    Texture radiance = Color();  // W/(m^2 sr), weighed by the eye: 1 is as bright as a white surface under an irradiance of pi
     double strength = 1.0;        // times this
     bool both_sides = false;      // else outwards only
 };
@@ -252,19 +253,19 @@ struct DirectionalLight {
 struct Light {
     std::string name;
     std::variant<PointLight, SpotLight, DirectionalLight> model;
-    Rgb color{1.0};
+    Color color = Rgb(1.0);
     double intensity = 1.0;  // in Whitted scenes its share of the light; the shares sum to 1
     SourcePosition position;
 
     // For light that follows physics: W/sr of point and spot lights, W/m^2 at right angles of directional ones, weighed by the eye.
-    std::optional<Rgb> power = std::nullopt;
+    std::optional<Color> power = std::nullopt;
 };
 
 // A vertical gradient seen by rays that leave the scene; both equal for a plain colour.
 struct Background {
-    Rgb zenith{0.0};
-    Rgb horizon{0.0};
-    Rgb nadir{0.0};
+    Color zenith;
+    Color horizon;
+    Color nadir;
 };
 
 // ---- Camera -----------------------------------------------------------------------------------------------------------------------
@@ -320,7 +321,7 @@ struct Scene {
     std::vector<Placement> placements;
     std::vector<Light> lights;
     Background background;
-    Rgb ambient{1.0};  // light that reaches every point, times each material's `ambient`
+    Color ambient = Rgb(1.0);  // light that reaches every point, times each material's `ambient`
     RenderSettings settings;
 };
 

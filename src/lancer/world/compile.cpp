@@ -16,6 +16,7 @@
 #include "lancer/world/flatten.h"
 #include "lancer/world/materials.h"
 #include "lancer/world/shapes.h"
+#include "lancer/world/spectra.h"
 
 namespace lancer {
 
@@ -81,7 +82,7 @@ void compile_physics(const scene::Scene& scene, World& world) {
 
 kernel::LightRecord compile_light(const scene::Light& light) {
     kernel::LightRecord record{};
-    record.radiance = to_float(light.color * light.intensity);
+    record.radiance = to_float(emitted(light.color) * light.intensity);
     record.direction = kernel::vec3(0.0f, -1.0f, 0.0f);
     if (const auto* point = std::get_if<scene::PointLight>(&light.model)) {
         record.kind = kernel::LIGHT_POINT;
@@ -117,10 +118,10 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     world->bounces = bounces;
     world->min_weight = static_cast<float>(scene.settings.min_weight);
     world->camera = compile_camera(camera, scene.settings.width, scene.settings.height, diagnostics);
-    world->ambient = to_float(scene.ambient);
-    world->zenith = to_float(scene.background.zenith);
-    world->horizon = to_float(scene.background.horizon);
-    world->nadir = to_float(scene.background.nadir);
+    world->ambient = to_float(emitted(scene.ambient));
+    world->zenith = to_float(emitted(scene.background.zenith));
+    world->horizon = to_float(emitted(scene.background.horizon));
+    world->nadir = to_float(emitted(scene.background.nadir));
     for (const scene::Light& light : scene.lights) {
         world->lights.push_back(compile_light(light));
     }
@@ -129,7 +130,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     }
     Textures textures(*world, diagnostics);
     Colors colors(*world);
-    compile_materials(scene, *world, textures, diagnostics);
+    compile_materials(scene, *world, textures, colors, diagnostics);
     if (physical) {
         compile_physics(scene, *world);
         compile_surfaces(scene, *world, textures, colors, diagnostics);

@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "lancer/kernel/emitter.h"
+#include "lancer/world/spectra.h"
 
 namespace lancer {
 
@@ -34,7 +35,7 @@ public:
         }
         kernel::EmitterRecord record = no_emitter();
         record.light = colors_.light(*light.power);
-        record.strength = static_cast<float>(brightness(kernel::vec3(*light.power)));
+        record.strength = static_cast<float>(brightness(record.light.rgb));
         if (const auto* point = std::get_if<scene::PointLight>(&light.model)) {
             record.kind = kernel::EMITTER_POINT;
             record.position = kernel::vec3(point->position);
@@ -54,7 +55,8 @@ public:
     }
 
     void add_surroundings(const scene::Background& background) {
-        const scene::Rgb all = glm::max(glm::max(background.zenith, background.horizon), background.nadir);
+        const scene::Rgb zenith = emitted(background.zenith), horizon = emitted(background.horizon), nadir = emitted(background.nadir);
+        const scene::Rgb all = glm::max(glm::max(zenith, horizon), nadir);
         if (!(std::max({all.x, all.y, all.z}) > 0.0)) {
             return;
         }
@@ -64,7 +66,7 @@ public:
         kernel::EmitterRecord record = no_emitter();
         record.kind = kernel::EMITTER_ENVIRONMENT;
         record.strength = static_cast<float>(
-            std::numbers::pi * brightness(kernel::vec3((background.zenith + background.horizon * 2.0 + background.nadir) * 0.25)));
+            std::numbers::pi * brightness(kernel::vec3((zenith + horizon * 2.0 + nadir) * 0.25)));
         world_.environment = static_cast<int>(world_.emitters.size());
         world_.emitters.push_back(record);
     }

@@ -13,7 +13,7 @@ namespace lancer {
 
 struct CompiledTexture {
     int number = -1;        // into world.textures; -1: `color` everywhere
-    scene::Rgb color{1.0};  // 1 where there is a texture
+    scene::Color color = scene::Rgb(1.0);  // 1 where there is a texture
 };
 
 // Fills world.textures and texels. Each image file is read once, however many materials use it.
@@ -30,7 +30,7 @@ private:
         int height = 0;
     };
 
-    CompiledTexture compile(const scene::Rgb& color);
+    CompiledTexture compile(const scene::Color& color);
     CompiledTexture compile(const scene::Checker& checker);
     CompiledTexture compile(const scene::ImageTexture& image);
     CompiledTexture push(const kernel::TextureRecord& texture);

@@ -25,14 +25,17 @@ enum class Kind {
     vector3,     // [0, 1, 2]
     direction,   // [0, 1, 2], not all zero
     size,        // [1280, 720]: whole numbers
-    color,       // "#rrggbb", a name, [r, g, b] linear
+    rgb,         // "#rrggbb", a name, [r, g, b] linear
+    color,       // the same, or a spectrum
     texture,     // a color, a checker or an image
+    curve,       // 1.5, "file.csv", { wavelengths = [...], values = [...] }
     refraction,  // 1.5, "N-BK7", { index = 1.5, abbe_number = 60 }, { b = [...], c = [...] }
     material,    // a name, or a material written in place
     rotation,    // degrees about x, y, z; or { axis = [...], angle = ... }
     scale,       // 2 or [1, 2, 3]
     vectors3,    // a list of [x, y, z]
     vectors2,    // a list of [u, v]
+    numbers,     // a list
     triangles    // a list of [a, b, c], whole numbers from 0
 };
 
@@ -86,6 +89,8 @@ const Table& plastic_material();
 const Table& principled_material();
 const Table& checker();
 const Table& image();
+const Table& spectrum();
+const Table& curve();
 const Table& abbe_glass();
 const Table& sellmeier_glass();
 const Table& axis_rotation();

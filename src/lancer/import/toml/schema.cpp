@@ -31,7 +31,11 @@ Json any_length(Json items) { return {{"type", "array"}, {"items", std::move(ite
 
 Json reference(std::string_view definition) { return {{"$ref", "#/$defs/" + std::string(definition)}}; }
 
-Json color(const Range& range) { return {{"anyOf", Json::array({reference("color_text"), list(numbers(range, "number"), 3)})}}; }
+Json rgb(const Range& range) { return {{"anyOf", Json::array({reference("color_text"), list(numbers(range, "number"), 3)})}}; }
+
+Json color(const Range& range) {
+    return {{"anyOf", Json::array({reference("color_text"), list(numbers(range, "number"), 3), reference("spectrum")})}};
+}
 
 Json value_schema(const Key& key) {
     switch (key.kind) {
@@ -56,14 +60,18 @@ Json value_schema(const Key& key) {
             return list(numbers(key.range, "number"), 3);
         case Kind::size:
             return list(numbers(key.range, "integer"), 2);
+        case Kind::rgb:
+            return rgb(key.range);
         case Kind::color:
             return color(key.range);
         case Kind::texture:
-            return {{"anyOf", Json::array({reference("color_text"), list(numbers(key.range, "number"), 3), reference("checker"),
-                                           reference("image")})}};
+            return {{"anyOf", Json::array({reference("color_text"), list(numbers(key.range, "number"), 3), reference("spectrum"),
+                                           reference("checker"), reference("image")})}};
         case Kind::refraction:
             return {{"anyOf", Json::array({numbers(key.range, "number"), Json{{"type", "string"}}, reference("abbe_glass"),
-                                           reference("sellmeier_glass")})}};
+                                           reference("sellmeier_glass"), reference("curve")})}};
+        case Kind::curve:
+            return {{"anyOf", Json::array({numbers(key.range, "number"), Json{{"type", "string"}, {"minLength", 1}}, reference("curve")})}};
         case Kind::material:
             return {{"anyOf", Json::array({Json{{"type", "string"}}, reference("material")})}};
         case Kind::rotation:
@@ -74,6 +82,8 @@ Json value_schema(const Key& key) {
             return any_length(list(numbers(key.range, "number"), 3));
         case Kind::vectors2:
             return any_length(list(numbers(key.range, "number"), 2));
+        case Kind::numbers:
+            return any_length(numbers(key.range, "number"));
         case Kind::triangles:
             return any_length(list(numbers(key.range, "integer"), 3));
     }
@@ -145,6 +155,8 @@ Json definitions() {
                          {"description", "A color in sRGB: \"#rrggbb\" or a name."}};
     all["checker"] = table_schema(checker());
     all["image"] = table_schema(image());
+    all["spectrum"] = table_schema(spectrum());
+    all["curve"] = table_schema(curve());
     all["abbe_glass"] = table_schema(abbe_glass());
     all["sellmeier_glass"] = table_schema(sellmeier_glass());
     all["axis_rotation"] = table_schema(axis_rotation());
