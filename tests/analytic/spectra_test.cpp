@@ -20,7 +20,8 @@ namespace {
 // The mean colour of a scene in TOML over all its pixels.
 glm::dvec3 mean_of(const std::string& text, int spp, bool rgb = false) {
     Diagnostics diagnostics;
-    auto scene = import_toml("[render]\nsize = [16, 16]\nfilter = 'box'\nintegrator = 'path'\nbounces = 64\n" + text, "scene.toml", diagnostics);
+    auto scene =
+        import_toml("[render]\nsize = [16, 16]\nfilter = 'box'\nintegrator = 'path'\nbounces = 64\n" + text, "scene.toml", diagnostics);
     for (const Diagnostic& diagnostic : diagnostics.list()) {
         ADD_FAILURE() << to_string(diagnostic);
     }
@@ -73,9 +74,11 @@ TEST(Spectra, WhiteInAFurnaceHasTheColourOfItsLight) {
 
 TEST(Spectra, LightsAreAsBrightAsTheyAreSaidToBe) {
     const glm::dvec3 weights(0.2126729, 0.7151522, 0.0721750);
-    for (const char* light : {"{ blackbody = 2700, scale = 100 }", "{ daylight = 5000, scale = 100 }", "{ illuminant = 'FL2', luminance = 100 }",
-                              "{ wavelengths = [500, 600], values = [7, 1], luminance = 50, scale = 2 }"}) {
-        const std::string scene = std::string("background = ") + light + "\n[[sphere]]\ncenter = [0, 0, 100]\nmaterial = { type = 'diffuse' }\n";
+    for (const char* light :
+         {"{ blackbody = 2700, scale = 100 }", "{ daylight = 5000, scale = 100 }", "{ illuminant = 'FL2', luminance = 100 }",
+          "{ wavelengths = [500, 600], values = [7, 1], luminance = 50, scale = 2 }"}) {
+        const std::string scene =
+            std::string("background = ") + light + "\n[[sphere]]\ncenter = [0, 0, 100]\nmaterial = { type = 'diffuse' }\n";
         EXPECT_NEAR(glm::dot(weights, mean_of(scene, many)), 100.0, 0.05) << light;
     }
     // 1 at every wavelength has luminance 1.
@@ -104,8 +107,8 @@ TEST(Spectra, MeasuredColoursComeOutAgain) {
 
 TEST(Spectra, ColoursUnderALampAreTintedByIt) {
     // A smooth spectrum under D65 is the colour itself.
-    expect_near(mean_of("background = { rgb = [0.8, 0.4, 0.1], scale = 2 }\n[[sphere]]\ncenter = [0, 0, 100]\n", many),
-                {1.6, 0.8, 0.2}, 1e-3);
+    expect_near(mean_of("background = { rgb = [0.8, 0.4, 0.1], scale = 2 }\n[[sphere]]\ncenter = [0, 0, 100]\n", many), {1.6, 0.8, 0.2},
+                1e-3);
     const std::string under_a = "background = { rgb = [1, 1, 1], illuminant = 'A' }\n[[sphere]]\ncenter = [0, 0, 100]\n";
     expect_near(mean_of(under_a, many), to_rgb(with_unit_luminance(*find_illuminant("A"))), 3e-4);
 }
@@ -161,16 +164,19 @@ TEST(Spectra, IndicesFromCurvesAreThoseOfTheNames) {
         return "{ wavelengths = [" + nm + "], values = [" + values + "] }";
     };
     const Metal gold = *find_metal("gold");
-    const std::string light = "[[sphere]]\nradius = 50\nmaterial = { type = 'diffuse', color = 'black', emission = { illuminant = 'E' }, "
-                              "emission_sides = 'both' }\n[camera]\nposition = [0, 0, 4]\nfov = 25\n";
+    const std::string light =
+        "[[sphere]]\nradius = 50\nmaterial = { type = 'diffuse', color = 'black', emission = { illuminant = 'E' }, "
+        "emission_sides = 'both' }\n[camera]\nposition = [0, 0, 4]\nfov = 25\n";
     const std::string named = light + "[[sphere]]\nmaterial = { type = 'conductor', metal = 'gold' }\n";
-    const std::string tabulated = light + "[[sphere]]\nmaterial = { type = 'conductor', n = " + curve([&](double l) { return gold.n.at(l); }) +
+    const std::string tabulated = light +
+                                  "[[sphere]]\nmaterial = { type = 'conductor', n = " + curve([&](double l) { return gold.n.at(l); }) +
                                   ", k = " + curve([&](double l) { return gold.k.at(l); }) + " }\n";
     expect_near(mean_of(tabulated, many), mean_of(named, many), 1e-3);
     expect_near(mean_of(tabulated, many, true), mean_of(named, many, true), 1e-3);
 
     const Sellmeier glass = *find_glass("SF11");
-    const std::string lit = "[background]\nzenith = [1, 1, 1]\nhorizon = [0.5, 0.5, 0.5]\nnadir = [0, 0, 0]\n[camera]\nposition = [0, 0, 4]\nfov = 25\n";
+    const std::string lit =
+        "[background]\nzenith = [1, 1, 1]\nhorizon = [0.5, 0.5, 0.5]\nnadir = [0, 0, 0]\n[camera]\nposition = [0, 0, 4]\nfov = 25\n";
     const std::string named_glass = lit + "[[sphere]]\nmaterial = { type = 'dielectric', refraction = 'SF11' }\n";
     const std::string tabulated_glass =
         lit + "[[sphere]]\nmaterial = { type = 'dielectric', refraction = " + curve([&](double l) { return glass.index(l); }) + " }\n";

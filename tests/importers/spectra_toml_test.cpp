@@ -12,8 +12,9 @@ TEST(TomlSpectra, StandWhereColoursStand) {
     EXPECT_EQ(std::get<scene::IlluminantSpectrum>(background(read_part("background = { illuminant = 'A', scale = 2 }")).shape).name, "A");
     EXPECT_EQ(background(read_part("background = { illuminant = 'A', scale = 2 }")).scale, 2.0);
     EXPECT_EQ(std::get<scene::BlackbodySpectrum>(background(read_part("[background]\ncolor = { blackbody = 2700 }")).shape).kelvin, 2700.0);
-    EXPECT_EQ(std::get<scene::DaylightSpectrum>(background(read_part("[background]\nzenith = { daylight = 5000, luminance = 3 }")).shape).kelvin,
-              5000.0);
+    EXPECT_EQ(
+        std::get<scene::DaylightSpectrum>(background(read_part("[background]\nzenith = { daylight = 5000, luminance = 3 }")).shape).kelvin,
+        5000.0);
     EXPECT_EQ(background(read_part("[background]\nzenith = { daylight = 5000, luminance = 3 }")).luminance, 3.0);
     const scene::Scene tinted = read_part("background = { rgb = '#ffffff', illuminant = 'FL2' }");
     EXPECT_EQ(std::get<scene::TintedSpectrum>(background(tinted).shape).illuminant, "FL2");
@@ -91,7 +92,8 @@ INSTANTIATE_TEST_SUITE_P(
               ":1:30: error: \"wavelengths\" must rise: 500 nm comes after 600 nm"},
         Wrong{"NoFile", "background = { spectrum = 'nowhere.csv' }\n", ":1:27: error: nowhere.csv: there is no such file"},
         Wrong{"Unknown", "background = { illuminant = 'A', brightness = 2 }\n",
-              ":1:34: error: a spectrum has no \"brightness\"; it may have illuminant, blackbody, daylight, spectrum, wavelengths, values, metal, rgb, "
+              ":1:34: error: a spectrum has no \"brightness\"; it may have illuminant, blackbody, daylight, spectrum, wavelengths, values, "
+              "metal, rgb, "
               "scale, luminance"},
         Wrong{"OnlyOneIndex", "[material.m]\ntype = 'conductor'\nn = 0.2\n", ":3:5: error: \"n\" and \"k\" belong together"},
         Wrong{"IndexAndMetal", "[material.m]\ntype = 'conductor'\nn = 0.2\nk = 3\nmetal = 'gold'\n",

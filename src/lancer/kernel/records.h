@@ -225,12 +225,14 @@ struct WorldRecord {
     MediumTable media;
     MaterialTable surfaces;  // surfaces[i] is materials[i] for light that follows physics
     EmitterTable emitters;
-    FloatTable distributions;  // cumulative shares, see EmitterRecord
-    FloatTable curves;         // WAVELENGTH_COUNT values each
-    FloatTable upsampling;     // from RGB to smooth spectra, see upsample.h
-    FloatTable albedo;         // what rough surfaces reflect, see bsdf/albedo.h
-    FloatTable filter_places;  // see FilterRecord
-    Vec3Table observer;        // linear RGB of one unit at each nanometre
+    FloatTable distributions;         // cumulative shares, see EmitterRecord
+    FloatTable curves;                // WAVELENGTH_COUNT values each
+    FloatTable upsampling;            // from RGB to smooth spectra, see upsample.h
+    FloatTable albedo;                // what rough surfaces reflect, see bsdf/albedo.h
+    FloatTable filter_places;         // see FilterRecord
+    Vec3Table observer;               // linear RGB of one unit at each nanometre
+    FloatTable wavelength_places;     // nanometres at the edges of the slots, see spectrum.h
+    FloatTable wavelength_densities;  // with which each nanometre is drawn
     LightTable lights;
     BandTable bands;
     IntTable tree;       // the device's own search tree, opaque; null where every object is tested against every ray

@@ -95,7 +95,7 @@ struct ConductorMaterial {
     std::string metal;  // a name that spectrum/metal.h knows; empty: n and k, or `color`
     Texture color = Color(Rgb(1.0));
     double roughness = 0.0;
-    double anisotropy = 0.0;  // how much smoother along u than along v, 0 to 1
+    double anisotropy = 0.0;                           // how much smoother along u than along v, 0 to 1
     std::optional<MeasuredSpectrum> n = std::nullopt;  // both or none
     std::optional<MeasuredSpectrum> k = std::nullopt;
 };
@@ -140,8 +140,8 @@ struct PrincipledMaterial {
 // Light that a surface gives by itself.
 struct Emission {
     Texture radiance = Color();  // W/(m^2 sr), weighed by the eye: 1 is as bright as a white surface under an irradiance of pi
-    double strength = 1.0;        // times this
-    bool both_sides = false;      // else outwards only
+    double strength = 1.0;       // times this
+    bool both_sides = false;     // else outwards only
 };
 
 struct Material {

@@ -17,6 +17,7 @@
 #include "lancer/world/materials.h"
 #include "lancer/world/shapes.h"
 #include "lancer/world/spectra.h"
+#include "lancer/world/wavelengths.h"
 
 namespace lancer {
 
@@ -138,6 +139,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     compile_shapes(flatten(scene), *world, diagnostics);
     if (physical && !diagnostics.has_errors()) {
         compile_emitters(scene, *world, colors, diagnostics);
+        compile_wavelengths(*world);
     }
     if (diagnostics.has_errors()) {
         return nullptr;

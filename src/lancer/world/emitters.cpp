@@ -65,8 +65,7 @@ public:
         world_.sky_nadir = colors_.light(background.nadir);
         kernel::EmitterRecord record = no_emitter();
         record.kind = kernel::EMITTER_ENVIRONMENT;
-        record.strength = static_cast<float>(
-            std::numbers::pi * brightness(kernel::vec3((zenith + horizon * 2.0 + nadir) * 0.25)));
+        record.strength = static_cast<float>(std::numbers::pi * brightness(kernel::vec3((zenith + horizon * 2.0 + nadir) * 0.25)));
         world_.environment = static_cast<int>(world_.emitters.size());
         world_.emitters.push_back(record);
     }

@@ -51,9 +51,7 @@ struct ReflectanceOf {
 };
 
 struct LightOf {
-    SpectralCurve operator()(const scene::MeasuredSpectrum& s) const {
-        return {s.nanometres, s.values, SpectralCurve::Beyond::zero};
-    }
+    SpectralCurve operator()(const scene::MeasuredSpectrum& s) const { return {s.nanometres, s.values, SpectralCurve::Beyond::zero}; }
     SpectralCurve operator()(const scene::IlluminantSpectrum& s) const { return unit_illuminant(s.name); }
     SpectralCurve operator()(const scene::BlackbodySpectrum& s) const { return with_unit_luminance(blackbody(s.kelvin)); }
     SpectralCurve operator()(const scene::DaylightSpectrum& s) const { return with_unit_luminance(daylight(s.kelvin)); }

@@ -12,7 +12,7 @@
 namespace lancer {
 
 struct CompiledTexture {
-    int number = -1;        // into world.textures; -1: `color` everywhere
+    int number = -1;                       // into world.textures; -1: `color` everywhere
     scene::Color color = scene::Rgb(1.0);  // 1 where there is a texture
 };
 

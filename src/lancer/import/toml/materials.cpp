@@ -73,9 +73,10 @@ scene::Refraction read_refraction(Context& context, TableReader& reader, std::st
     }
     double index = preset;
     if (!node->is_number()) {
-        reader.error(name,
-                     fmt::format("\"{}\" must be a refractive index, the name of a glass, {{ index, abbe_number }}, {{ b, c }} or a curve, not {}",
-                                 name, what_it_is(*node)));
+        reader.error(
+            name,
+            fmt::format("\"{}\" must be a refractive index, the name of a glass, {{ index, abbe_number }}, {{ b, c }} or a curve, not {}",
+                        name, what_it_is(*node)));
     } else if (!read_number(reader.messages(), *node, key, index)) {
         reader.spoil();
         index = preset;

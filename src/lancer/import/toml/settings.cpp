@@ -26,8 +26,9 @@ scene::Background read_background_table(Context& context, TableReader& reader) {
     if (!horizon && zenith && nadir && (zenith->spectrum || nadir->spectrum)) {
         reader.error(reader.position(), "between two spectra \"horizon\" must be written");
     }
-    const scene::Color middle =
-        horizon ? *horizon : zenith && nadir ? scene::Color(0.5 * (zenith->rgb + nadir->rgb)) : zenith.value_or(nadir.value_or(scene::Color()));
+    const scene::Color middle = horizon           ? *horizon
+                                : zenith && nadir ? scene::Color(0.5 * (zenith->rgb + nadir->rgb))
+                                                  : zenith.value_or(nadir.value_or(scene::Color()));
     return {zenith.value_or(middle), middle, nadir.value_or(middle)};
 }
 

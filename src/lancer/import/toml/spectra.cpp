@@ -85,7 +85,8 @@ std::string objection(std::string_view kind, const TableReader& reader, const Ke
         return fmt::format("\"metal\" is what a surface mirrors; \"{}\" is a light", key.name);
     }
     if (!light && !is_share(key) && kind != "spectrum" && kind != "wavelengths") {
-        return fmt::format("\"{}\" is an absorption, in 1/m: write it as a color, or measured, with \"spectrum\" or \"wavelengths\"", key.name);
+        return fmt::format("\"{}\" is an absorption, in 1/m: write it as a color, or measured, with \"spectrum\" or \"wavelengths\"",
+                           key.name);
     }
     if (!light && reader.has("luminance")) {
         return fmt::format("\"luminance\" is for lights; \"{}\" is none", key.name);
@@ -111,8 +112,8 @@ std::string_view kind_of(TableReader& reader) {
 }  // namespace
 
 bool is_spectrum(const toml::table& table) {
-    return !table.contains("type") &&
-           (table.contains("values") || std::any_of(std::begin(kinds), std::end(kinds), [&](std::string_view k) { return table.contains(k); }));
+    return !table.contains("type") && (table.contains("values") || std::any_of(std::begin(kinds), std::end(kinds),
+                                                                               [&](std::string_view k) { return table.contains(k); }));
 }
 
 std::optional<scene::Spectrum> read_spectrum(Context& context, const toml::table& table, const Key& key) {
@@ -142,7 +143,8 @@ std::optional<scene::Spectrum> read_spectrum(Context& context, const toml::table
         }
         result.shape = scene::MetalSpectrum{name};
         if (result.scale > 1.0) {
-            reader.error("scale", fmt::format("\"scale\" must be at most 1 here, not {}: no metal mirrors more light than there is", result.scale));
+            reader.error("scale",
+                         fmt::format("\"scale\" must be at most 1 here, not {}: no metal mirrors more light than there is", result.scale));
         }
     } else if (kind == "rgb") {
         const scene::Rgb rgb = read_rgb(reader, "rgb");
@@ -176,9 +178,10 @@ std::optional<scene::MeasuredSpectrum> read_curve(Context& context, const toml::
         TableReader reader(context.messages, *table, curve());
         result = reader.good() ? measured(context, reader, *table) : std::nullopt;
     } else {
-        context.messages.error(context.messages.at(node), fmt::format("\"{}\" must be a number, the name of a file, or {{ wavelengths, values }}, "
-                                                                      "not {}",
-                                                                      key.name, what_it_is(node)));
+        context.messages.error(context.messages.at(node),
+                               fmt::format("\"{}\" must be a number, the name of a file, or {{ wavelengths, values }}, "
+                                           "not {}",
+                                           key.name, what_it_is(node)));
     }
     return result && check_values(context, node, *result, 1.0, key) ? result : std::nullopt;
 }

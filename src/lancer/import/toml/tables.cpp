@@ -104,8 +104,10 @@ const Table& spectrum() {
     static const Table table{
         "spectrum",
         "a spectrum",
-        "A curve over wavelength, instead of a color: exactly one of illuminant, blackbody, daylight, spectrum, wavelengths with values, metal or rgb.",
-        {{"illuminant", Kind::text, none, any, "", "A light by name: A, C, D50, D65, E, FL1 to FL12, ...; of luminance 1. With rgb: what lights it."},
+        "A curve over wavelength, instead of a color: exactly one of illuminant, blackbody, daylight, spectrum, wavelengths with values, "
+        "metal or rgb.",
+        {{"illuminant", Kind::text, none, any, "",
+          "A light by name: A, C, D50, D65, E, FL1 to FL12, ...; of luminance 1. With rgb: what lights it."},
          {"blackbody", Kind::number, none, Range{500.0, 100000.0}, "K", "The light of a black body of this temperature; of luminance 1."},
          {"daylight", Kind::number, none, Range{4000.0, 25000.0}, "K", "Daylight of this colour temperature; of luminance 1."},
          {"spectrum", Kind::file, none, any, "",
@@ -115,7 +117,8 @@ const Table& spectrum() {
          {"metal", Kind::text, none, any, "", "What this metal mirrors when looked at straight on, by its name or symbol."},
          {"rgb", Kind::rgb, none, not_negative, "", "A color: its smooth spectrum; as a light, times illuminant, D65 when not written."},
          {"scale", Kind::number, 1.0, not_negative, "", "Multiplies it: of a light of luminance 1, its power or radiance."},
-         {"luminance", Kind::number, none, not_negative, "", "Lights: scales it to be as bright as a white of this value, whatever it was."}}};
+         {"luminance", Kind::number, none, not_negative, "",
+          "Lights: scales it to be as bright as a white of this value, whatever it was."}}};
     return table;
 }
 
