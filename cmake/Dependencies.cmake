@@ -5,3 +5,7 @@ include(LibraryDependencies)
 find_package(CLI11 REQUIRED)
 find_package(SDL2 REQUIRED)
 pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO)  # its CMake files ask for tools that libopenimageio-dev lacks
+pkg_check_modules(OCIO IMPORTED_TARGET OpenColorIO>=2.0)  # optional
+if(NOT OCIO_FOUND)
+    message(STATUS "OpenColorIO was not found: the view aces will not be there (Debian: libopencolorio-dev)")
+endif()

@@ -51,4 +51,36 @@ done
 for scene in metals clear-bodies plastics principled depth-of-field lamps; do
     picture "$scene" "features/$scene" "${small[@]}"
 done
+picture metamers features/metamers --size 960x400
+picture environment features/environment "${small[@]}"
+for samples in emitter bsdf mis; do
+    picture "direct-$samples" features/direct-light --direct-samples "$samples" --size 480x320
+done
+for scene in mapping masks mixes bumps vertex-colors; do
+    picture "$scene" "features/$scene" "${small[@]}"
+done
 picture cornell-box gallery/cornell-box --size 480x480
+for view in srgb pbr-neutral agx aces; do
+    picture "view-$view" gallery/cornell-box --size 240x240 --spp 128 --exposure 2 --view "$view"
+done
+
+# What stands beside the picture, made visible by oiiotool (Debian: openimageio-tools).
+aovs=$(mktemp --suffix=.exr)
+trap 'rm -f "$aovs"' EXIT
+# aov NAME CHANNELS [STEP...]: a picture of some channels
+aov() {
+    local name=$1 channels=$2
+    shift 2
+    [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " == *" aov-$name "* ]] || return 0
+    if ! command -v oiiotool >/dev/null; then
+        echo "aov-$name is left as it is: there is no oiiotool" >&2
+        return 0
+    fi
+    [ -s "$aovs" ] || "$lancer" render scenes/gallery/cornell-box.toml --size 240x240 --spp 128 --aov albedo,normal,direct,indirect -o "$aovs" --quiet
+    oiiotool "$aovs" --ch "$channels" "$@" -d uint8 -o "docs/pictures/aov-$name.png"
+}
+encoded=(--colorconvert linear sRGB)
+aov albedo albedo.R,albedo.G,albedo.B "${encoded[@]}"
+aov normal normal.X,normal.Y,normal.Z --mulc 0.5 --addc 0.5
+aov direct direct.R,direct.G,direct.B --mulc 2 "${encoded[@]}"
+aov indirect indirect.R,indirect.G,indirect.B --mulc 2 "${encoded[@]}"

@@ -5,6 +5,10 @@
     tiles.png   a glazed tile that repeats without a seam
     planet.png  continents of noise, for a sphere
     wood.png    rings of a tree, cut along; repeats from top to bottom
+    sky.hdr     an afternoon: a low sun and soft clouds over a plain, as radiance all around
+    leaf.png    a leaf; what is not leaf has alpha 0
+    studs.png   normals of round studs in a plate: red to the right, green upwards, blue outwards; numbers, no colours
+    scratches.png   streaks along u, white where a surface is worn; numbers, no colours
 """
 import colorsys
 import math
@@ -22,7 +26,8 @@ FONT = {"A": "01110 10001 10001 11111 10001 10001 10001", "B": "11110 10001 1000
 
 
 def write_png(name, width, height, color):
-    """color(x, y) gives (r, g, b) from 0 to 1 as stored, y from the top."""
+    """color(x, y) gives (r, g, b) or (r, g, b, alpha) from 0 to 1 as stored, y from the top."""
+    kind_of_png = 6 if len(color(0, 0)) == 4 else 2
     rows = bytearray()
     for y in range(height):
         rows.append(0)
@@ -33,7 +38,7 @@ def write_png(name, width, height, color):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
     with open(os.path.join(HERE, name), "wb") as file:
-        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
+        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, kind_of_png, 0, 0, 0)) +
                    chunk(b"IDAT", zlib.compress(bytes(rows), 9)) + chunk(b"IEND", b""))
 
 
@@ -144,8 +149,123 @@ def wood():
     write_png("wood.png", width, height, color)
 
 
+def write_hdr(name, width, height, color):
+    """color(x, y) gives linear (r, g, b). Radiance's format: a shared exponent, and runs of equal bytes in each row."""
+
+    def shared(rgb):
+        largest = max(rgb)
+        if largest < 1e-32:
+            return (0, 0, 0, 0)
+        mantissa, exponent = math.frexp(largest)
+        return tuple(int(c * mantissa * 256 / largest) for c in rgb) + (exponent + 128,)
+
+    def packed(row):
+        out, i = bytearray(), 0
+        while i < len(row):
+            run = 1
+            while i + run < len(row) and run < 127 and row[i + run] == row[i]:
+                run += 1
+            if run > 2:
+                out += bytes((128 + run, row[i]))
+                i += run
+                continue
+            j = i + 1
+            while j < len(row) and j - i < 128 and not (j + 2 < len(row) and row[j] == row[j + 1] == row[j + 2]):
+                j += 1
+            out += bytes((j - i,)) + bytes(row[i:j])
+            i = j
+        return out
+
+    data = bytearray(f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {width}\n".encode())
+    for y in range(height):
+        row = [shared(color(x, y)) for x in range(width)]
+        data += bytes((2, 2, width >> 8, width & 255))
+        for channel in range(4):
+            data += packed([texel[channel] for texel in row])
+    with open(os.path.join(HERE, name), "wb") as file:
+        file.write(data)
+
+
+def sky():
+    width, height = 384, 192
+    azimuth, elevation = math.radians(55), math.radians(24)  # of the sun, from the picture's middle to the right
+    sun = (math.sin(azimuth) * math.cos(elevation), math.sin(elevation), -math.cos(azimuth) * math.cos(elevation))
+
+    def color(x, y):
+        theta, phi = math.pi * (y + 0.5) / height, 2 * math.pi * ((x + 0.5) / width - 0.5)
+        d = (math.sin(phi) * math.sin(theta), math.cos(theta), -math.cos(phi) * math.sin(theta))
+        near = sum(i * j for i, j in zip(d, sun))
+        if d[1] < 0:
+            return mix((0.30, 0.26, 0.21), (0.13, 0.11, 0.08), -d[1] * 3)
+        light = mix((0.95, 0.93, 0.90), (0.16, 0.34, 0.82), d[1] ** 0.45)
+        glow = max(0, near)
+        light = tuple(c + g * (0.55 * glow ** 8 + 2.5 * glow ** 90) for c, g in zip(light, (1.0, 0.78, 0.5)))
+        far = 1 / (d[1] + 0.12)
+        cover = (clouds(9 + 0.9 * d[0] * far, 3, 9 + 0.9 * d[2] * far, 5) - 0.47) * 6
+        lit = mix((0.55, 0.58, 0.66), (1.7, 1.55, 1.35), 0.35 + 0.65 * glow ** 2)
+        light = mix(light, lit, min(1, max(0, cover)) * min(1, d[1] * 5))
+        disk = 1 / (1 + math.exp((math.acos(min(1, near)) - math.radians(1.3)) / math.radians(0.25)))
+        return tuple(c + s * disk for c, s in zip(light, (1250, 1080, 830)))
+
+    write_hdr("sky.hdr", width, height, color)
+
+
+def leaf():
+    size = 256
+
+    def color(x, y):
+        u, v = (x + 0.5) / size * 2 - 1, 1 - (y + 0.5) / size * 2  # v upwards
+        along = (v + 0.9) / 1.75
+        half = 0.62 * math.sin(math.pi * min(1.0, max(0.0, along)) ** 0.75) ** 0.9 + 0.03 * math.cos(40 * along)
+        stem = abs(u) < 0.025 and -0.98 < v < 0.8
+        inside = 0 < along < 1 and abs(u) < half
+        ribs = abs(math.sin(9 * (v - 0.55 * abs(u)) * math.pi / 2))
+        green = mix((0.20, 0.42, 0.10), (0.42, 0.58, 0.18), smooth(ribs))
+        if stem or (inside and ribs < 0.12):
+            green = (0.55, 0.66, 0.30)
+        return green + ((1.0,) if inside or stem else (0.0,))
+
+    write_png("leaf.png", size, size, color)
+
+
+def studs():
+    size = 128
+
+    def color(x, y):
+        u, v = (x + 0.5) / size * 2 - 1, 1 - (y + 0.5) / size * 2
+        r = math.hypot(u, v)
+        nx, ny, nz = 0.0, 0.0, 1.0
+        if r < 0.6:
+            nx, ny = 1.3 * u, 1.3 * v
+            nz = math.sqrt(max(0.0, 1 - nx * nx - ny * ny))
+        edge = max(abs(u), abs(v))
+        if edge > 0.94:
+            nx = math.copysign(0.5, -u) if abs(u) > 0.94 else 0.0
+            ny = math.copysign(0.5, -v) if abs(v) > 0.94 else 0.0
+        length = math.sqrt(nx * nx + ny * ny + nz * nz)
+        return (0.5 + 0.5 * nx / length, 0.5 + 0.5 * ny / length, 0.5 + 0.5 * nz / length)
+
+    write_png("studs.png", size, size, color)
+
+
+def scratches():
+    width, height = 256, 256
+
+    def color(x, y):
+        worn = clouds(x / 32, y / 32, 2.5, 4)
+        streak = noise(x / 24, y / 1.5, 0.5)
+        t = smooth(min(1.0, max(0.0, (worn - 0.42) * 5))) * 0.75 + 0.25 * streak
+        return (t, t, t)
+
+    write_png("scratches.png", width, height, color)
+
+
 if __name__ == "__main__":
     grid()
     tiles()
     planet()
     wood()
+    sky()
+    leaf()
+    studs()
+    scratches()

@@ -1,5 +1,6 @@
 // The path integrator against closed forms, against itself with and without asking emitters, and spectra against RGB.
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -10,6 +11,7 @@
 
 #include "analytic/small_world.h"
 #include "lancer/device/cpu/cpu.h"
+#include "lancer/image/image.h"
 #include "lancer/world/compile.h"
 
 namespace lancer::tests {
@@ -113,13 +115,8 @@ TEST(Path, AFilterWithNegativeLobesLosesNoLight) {
     }
 }
 
-// What an emitter makes of a white point at the origin that faces +y, seen from the side: irradiance over pi.
-Estimate lit_point(const scene::Shape& lamp, bool both_sides, int spp, bool ask = true, const glm::dmat4& to_world = glm::dmat4(1.0),
-                   const CpuOptions& options = {}) {
-    Physical world(1);
-    world.add(scene::Disk{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.01}, world.material(diffuse(1.0)));
-    world.add(lamp, world.material(diffuse(0.0, 1.0, both_sides)), to_world);
-    world.look({0.0, 0.5, 5.0}, {0.0, -0.1, -1.0});
+// With or without asking lamps for their light.
+Estimate asked_or_met(const Physical& world, bool ask, int spp, const CpuOptions& options = {}) {
     auto compiled = std::const_pointer_cast<World>(world.compile());
     if (!ask) {
         compiled->emitters.clear();
@@ -128,6 +125,19 @@ Estimate lit_point(const scene::Shape& lamp, bool both_sides, int spp, bool ask 
         }
     }
     return estimate(compiled, world.scene.settings.width, spp, options);
+}
+
+// What an emitter makes of a white point at the origin that faces +y, seen from the side: irradiance over pi.
+Estimate lit_point(const scene::Shape& lamp, bool both_sides, int spp, bool ask = true, const glm::dmat4& to_world = glm::dmat4(1.0),
+                   const CpuOptions& options = {}, const scene::Texture& texture = scene::Rgb(1.0), bool rgb = true) {
+    Physical world(1);
+    world.scene.settings.rgb = rgb;
+    world.add(scene::Disk{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.01}, world.material(diffuse(1.0)));
+    scene::Material shining = diffuse(0.0, 1.0, both_sides);
+    shining.emission->radiance = texture;
+    world.add(lamp, world.material(shining), to_world);
+    world.look({0.0, 0.5, 5.0}, {0.0, -0.1, -1.0});
+    return asked_or_met(world, ask, spp, options);
 }
 
 TEST(Path, IrradianceUnderASphereADiskAndASquare) {
@@ -262,6 +272,78 @@ INSTANTIATE_TEST_SUITE_P(All, LampShapes,
                                          Lamp{"triangles", rectangle({-0.5f, 1.2f, -0.3f}, {1.0f, 0.3f, 0.0f}, {0.0f, 0.2f, 1.0f}), true}),
                          [](const auto& case_) { return std::string(case_.param.name); });
 
+// A texture that gives light: each lamp shows it to those who ask where it shows it to those who look. Solid cells, cells of uv, and an image that
+// is brighter than 1.
+TEST_P(LampShapes, TexturedAskedOrMet) {
+    const Lamp& lamp = GetParam();
+    const scene::Rgb dark(0.2, 0.0, 0.1);
+    for (const bool solid : {true, false}) {
+        const scene::Checker squares{scene::Rgb(9.0, 3.0, 0.5), dark, 0.3, solid};
+        const Estimate asked = lit_point(lamp.shape, lamp.both_sides, 16384, true, lamp.to_world, {}, squares, !solid);
+        const Estimate met = lit_point(lamp.shape, lamp.both_sides, 65536, false, lamp.to_world, {}, squares, !solid);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_GT(asked.mean[c], 0.0002);
+            EXPECT_NEAR(asked.mean[c], met.mean[c], 4.5 * std::hypot(asked.error[c], met.error[c])) << solid << " channel " << c;
+        }
+        EXPECT_LT(asked.error.x / asked.mean.x, 0.03);
+    }
+}
+
+TEST(Path, TexturedLampsOfManyTrianglesAskedOrMet) {
+    // More triangles than are kept apart, and a texture that leaves most of them dark.
+    auto data = std::make_shared<scene::TriangleMesh>();
+    constexpr unsigned side = 12;
+    for (unsigned i = 0; i <= side; ++i) {
+        for (unsigned j = 0; j <= side; ++j) {
+            const float x = static_cast<float>(i) / side, z = static_cast<float>(j) / side;
+            data->positions.push_back({x * x - 0.4f, 1.0f + 0.3f * x * z, z - 0.5f});
+            data->uvs.push_back({x, z});
+        }
+    }
+    for (unsigned i = 0; i < side; ++i) {
+        for (unsigned j = 0; j < side; ++j) {
+            const unsigned a = i * (side + 1) + j, b = a + side + 1;
+            data->triangles.push_back({a, a + 1, b});
+            data->triangles.push_back({b, a + 1, b + 1});
+        }
+    }
+    const scene::Checker squares{scene::Rgb(5.0), scene::Rgb(0.01), 0.25, false};
+    const Estimate asked = lit_point(scene::Mesh{data, false}, true, 16384, true, glm::dmat4(1.0), {}, squares);
+    const Estimate met = lit_point(scene::Mesh{data, false}, true, 131072, false, glm::dmat4(1.0), {}, squares);
+    EXPECT_NEAR(asked.mean.x, met.mean.x, 4.5 * std::hypot(asked.error.x, met.error.x));
+    EXPECT_LT(asked.error.x / asked.mean.x, 0.005);
+}
+
+TEST(Path, LampsInsideAnAbsorbingBody) {
+    // All within a body that does not bend light: the way to the camera and the way to the lamp are both dimmed.
+    const glm::dvec3 absorption(0.3, 0.8, 1.5);
+    const auto inside = [&](bool point, bool ask, int spp) {
+        Physical world(3);
+        scene::Material body;
+        body.model = scene::DielectricMaterial{.refraction = 1.0, .absorption = absorption};
+        world.add(scene::Box{{-2.0, -1.0, -2.0}, {2.0, 3.0, 2.0}}, world.material(body));
+        world.add(scene::Disk{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.5}, world.material(diffuse(1.0)));
+        if (point) {
+            world.scene.lights.push_back({"", scene::PointLight{{0.0, 1.5, 0.0}}, scene::Rgb(1.0), 0.0, {}, scene::Rgb(2.0)});
+        } else {
+            world.add(scene::Sphere{{0.0, 1.5, 0.0}, 0.6}, world.material(diffuse(0.0, 1.0)));
+        }
+        world.look({0.0, 1.0, 5.0}, {0.0, -0.2, -1.0});
+        return asked_or_met(world, ask, spp);
+    };
+    const Estimate point = inside(true, true, 16);
+    const double to_camera = 2.0 * std::sqrt(1.0 + 0.2 * 0.2);
+    for (int c = 0; c < 3; ++c) {
+        const double expected = 2.0 / (1.5 * 1.5) / pi * std::exp(-absorption[c] * (1.5 + to_camera));
+        EXPECT_NEAR(point.mean[c], expected, 0.001 * expected);
+    }
+    const Estimate asked = inside(false, true, 8192), met = inside(false, false, 65536);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(asked.mean[c], met.mean[c], 4.5 * std::hypot(asked.error[c], met.error[c])) << "channel " << c;
+        EXPECT_LT(asked.error[c] / asked.mean[c], 0.02);
+    }
+}
+
 TEST(Path, ManyLampsOfATreeAndFew) {
     // More lamps than are looked at one by one: the same light either way.
     const auto lit = [](int lamps) {
@@ -286,6 +368,180 @@ TEST(Path, ManyLampsOfATreeAndFew) {
     for (const int lamps : {2, 30, 40}) {
         const Estimate e = lit(lamps);
         EXPECT_NEAR(e.mean.x, sum(lamps), 0.001 * sum(lamps) + 4.0 * e.error.x) << lamps;
+    }
+}
+
+// ---- The sky -----------------------------------------------------------------------------------------------------------------------
+
+// A latitude-longitude image of a radiance, with the background that shows it.
+template <class Radiance>
+scene::Background image_of(const std::string& name, int height, const Radiance& radiance) {
+    Image image;
+    image.width = 2 * height;
+    image.height = height;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const double theta = pi * (y + 0.5) / height, phi = 2.0 * pi * ((x + 0.5) / image.width - 0.5);
+            const glm::dvec3 direction(std::sin(phi) * std::sin(theta), std::cos(theta), -std::cos(phi) * std::sin(theta));
+            const glm::dvec3 light = radiance(direction);
+            for (int c = 0; c < 3; ++c) {
+                image.pixels.push_back(static_cast<float>(light[c]));
+            }
+        }
+    }
+    scene::Background background;
+    background.image = scene::ImageTexture{};
+    background.image->file = testing::TempDir() + name + ".exr";
+    write_image(background.image->file, image, {});
+    return background;
+}
+
+// What a white disk at the origin that faces `up` reflects of it, over which a camera looks along the normal.
+Estimate under(const scene::Background& sky, const glm::dvec3& up, int spp, scene::DirectSamples samples = scene::DirectSamples::mis) {
+    Physical world(1);
+    world.scene.settings.integrator = "direct";
+    world.scene.settings.direct_samples = samples;
+    world.add(scene::Disk{{0.0, 0.0, 0.0}, up, 0.1}, world.material(diffuse(1.0)));
+    world.scene.background = sky;
+    world.look(up * 3.0, -up, {0.3, 0.4, 0.5});
+    return world.estimate(spp);
+}
+
+TEST(Path, AnEvenImageIsAWhiteFurnace) {
+    for (const bool rgb : {true, false}) {
+        Physical world(100);
+        world.scene.settings.rgb = rgb;
+        world.add(scene::Sphere{{0.0, 0.0, 0.0}, 1.0}, world.material(diffuse(1.0)));
+        world.scene.background = image_of("even", 4, [](const glm::dvec3&) { return glm::dvec3(1.0); });
+        world.scene.background.strength = 2.5;
+        const Estimate e = world.estimate(4096);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(e.mean[c], 2.5, 0.0025 + 4.0 * e.error[c]) << rgb << " channel " << c;
+        }
+    }
+}
+
+// Light in a lobe, the cosine of the angle from an axis: from the axis at angle g a surface gets 2/3 (sin g + (pi - g) cos g).
+TEST(Path, IrradianceUnderALobeOfTheSky) {
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(0.5, 0.6, -0.4));
+    const scene::Background sky = image_of("lobe", 128, [&](const glm::dvec3& d) { return glm::dvec3(std::max(0.0, glm::dot(d, axis))); });
+    for (const glm::dvec3& up :
+         {glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(-1.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, -1.0)}) {
+        const double angle = std::acos(glm::dot(axis, up));
+        const double expected = 2.0 / 3.0 * (std::sin(angle) + (pi - angle) * std::cos(angle)) / pi;
+        for (const auto samples : {scene::DirectSamples::mis, scene::DirectSamples::emitter, scene::DirectSamples::bsdf}) {
+            const Estimate e = under(sky, up, 16384, samples);
+            EXPECT_NEAR(e.mean.x, expected, 0.001 * expected + 4.0 * e.error.x) << "towards " << up.x << " " << up.y << " " << up.z;
+            EXPECT_LT(e.error.x, 0.006 * expected);  // a lobe that is mostly below the horizon is seldom found
+        }
+    }
+}
+
+TEST(Path, ASkyImageLiesAsDescribed) {
+    // The lobe stands at -z, the image's middle; turned by 90 degrees counter-clockwise as seen from above, at -x.
+    scene::Background sky =
+        image_of("middle", 64, [](const glm::dvec3& d) { return glm::dvec3(std::max(0.0, -d.z), std::max(0.0, d.x), std::max(0.0, d.y)); });
+    const auto seen = [&](const glm::dvec3& direction) {
+        Physical world(1);
+        world.add(scene::Sphere{{0.0, -900.0, 0.0}, 1.0}, world.material(diffuse(1.0)));
+        world.scene.background = sky;
+        world.look({0.0, 0.0, 0.0}, direction, {0.3, 0.4, 0.5});
+        return world.estimate(4).mean;
+    };
+    EXPECT_NEAR(seen({0.0, 0.0, -1.0}).x, 1.0, 0.002);
+    EXPECT_NEAR(seen({1.0, 0.0, 0.0}).y, 1.0, 0.002);
+    EXPECT_NEAR(seen({0.0, 1.0, 0.0}).z, 1.0, 0.002);
+    EXPECT_NEAR(seen({0.6, 0.0, -0.8}).x, 0.8, 0.002);
+    EXPECT_NEAR(seen({0.6, 0.0, -0.8}).y, 0.6, 0.002);
+    sky.rotation = 90.0;
+    EXPECT_NEAR(seen({-1.0, 0.0, 0.0}).x, 1.0, 0.002);
+    EXPECT_NEAR(seen({0.0, 0.0, -1.0}).y, 1.0, 0.002);
+    sky.rotation = -30.0;
+    EXPECT_NEAR(seen({0.5, 0.0, -std::sqrt(0.75)}).x, 1.0, 0.002);
+    sky.visible = false;
+    EXPECT_EQ(seen({0.0, 0.0, -1.0}).x, 0.0);
+    EXPECT_GT(under(sky, {0.0, 0.0, -1.0}, 64).mean.x, 0.1);
+}
+
+// A sun in one texel, over surfaces of several kinds: found either way, or both ways together.
+TEST(Path, DirectLightIsTheSameEachWay) {
+    scene::Material copper;
+    copper.model = scene::ConductorMaterial{.metal = "copper", .roughness = 0.5};
+    scene::Material lacquer;
+    lacquer.model = scene::PlasticMaterial{.color = scene::Rgb(0.6, 0.1, 0.1), .roughness = 0.4};
+    const scene::Background sky = image_of("sun", 8, [](const glm::dvec3& d) {
+        return d.y > 0.5 && d.y < 0.8 && d.x > 0.2 && d.z > 0.2 ? glm::dvec3(20.0, 18.0, 12.0) : glm::dvec3(0.2, 0.3, 0.4 + 0.3 * d.y);
+    });
+    for (const scene::Material& material : {diffuse(0.7), copper, lacquer}) {
+        const auto lit = [&](scene::DirectSamples samples, const char* integrator, bool rgb) {
+            Physical world(1);
+            world.scene.settings.integrator = integrator;
+            world.scene.settings.direct_samples = samples;
+            world.scene.settings.rgb = rgb;
+            world.add(scene::Sphere{{0.0, 0.0, 0.0}, 1.0}, world.material(material));
+            world.add(scene::Sphere{{2.0, 1.0, 3.0}, 0.7}, world.material(diffuse(0.0, 4.0)));
+            world.scene.background = sky;
+            world.scene.cameras[0].fov = 18.0;
+            return world.estimate(32768);
+        };
+        const Estimate both = lit(scene::DirectSamples::mis, "direct", true);
+        for (const auto samples : {scene::DirectSamples::emitter, scene::DirectSamples::bsdf}) {
+            const Estimate alone = lit(samples, "direct", true);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(alone.mean[c], both.mean[c], 4.5 * std::hypot(alone.error[c], both.error[c])) << "channel " << c;
+            }
+            EXPECT_GT(alone.error.y, both.error.y);
+        }
+        EXPECT_LT(both.error.y, 0.01 * both.mean.y);
+        EXPECT_EQ(lit(scene::DirectSamples::mis, "path", true).mean, both.mean);
+        // Measured indices of a metal are more than three numbers.
+        if (!std::holds_alternative<scene::ConductorMaterial>(material.model)) {
+            const Estimate spectral = lit(scene::DirectSamples::mis, "direct", false);
+            EXPECT_NEAR(spectral.mean.y, both.mean.y, 0.02 * both.mean.y + 4.0 * spectral.error.y);
+        }
+    }
+}
+
+// ---- Limits ------------------------------------------------------------------------------------------------------------------------
+
+// After k bounces a furnace is as bright as the first terms of its series.
+TEST(Path, LimitedBouncesAreTheFirstTermsOfTheSeries) {
+    scene::Material mirror = diffuse(0.0, 1.0, true);
+    mirror.model = scene::ConductorMaterial{.metal = "", .color = scene::Rgb(0.5)};
+    const auto furnace = [](const scene::Material& material, const std::function<void(scene::RenderSettings&)>& limit) {
+        Physical world(1000);
+        world.scene.settings.rgb = true;
+        limit(world.scene.settings);
+        world.add(scene::Sphere{{0.0, 0.0, 5.0}, 2.0}, world.material(material));
+        return world.estimate(4096);
+    };
+    for (const int bounces : {0, 1, 2, 5}) {
+        const double sum = 2.0 * (1.0 - std::pow(0.5, bounces + 1));
+        const auto near = [&](const Estimate& e) { return std::abs(e.mean.x - sum) <= 0.001 * sum + 4.0 * e.error.x; };
+        EXPECT_TRUE(near(furnace(diffuse(0.5, 1.0, true), [&](auto& settings) { settings.bounces = bounces; }))) << bounces;
+        EXPECT_TRUE(near(furnace(diffuse(0.5, 1.0, true), [&](auto& settings) { settings.diffuse_bounces = bounces; }))) << bounces;
+        EXPECT_TRUE(near(furnace(mirror, [&](auto& settings) { settings.glossy_bounces = bounces; }))) << bounces;
+    }
+    const Estimate others =
+        furnace(diffuse(0.5, 1.0, true), [&](auto& settings) { settings.glossy_bounces = settings.transmission_bounces = 0; });
+    EXPECT_NEAR(others.mean.x, 2.0, 0.002 + 4.0 * others.error.x);
+}
+
+TEST(Path, LimitedTransmission) {
+    // Two boxes of air with a border: the light behind them is four borders away.
+    for (const int most : {0, 3, 4}) {
+        Physical world(64);
+        world.scene.settings.rgb = true;
+        world.scene.settings.transmission_bounces = most;
+        world.scene.settings.diffuse_bounces = 0;
+        scene::Material air;
+        air.model = scene::DielectricMaterial{.refraction = 1.0};
+        const int material = world.material(air);
+        world.add(scene::Box{{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.2}}, material);
+        world.add(scene::Box{{-1.0, -1.0, 1.0}, {1.0, 1.0, 1.2}}, material);
+        world.add(scene::Disk{{0.0, 0.0, -2.0}, {0.0, 0.0, 1.0}, 1.0}, world.material(diffuse(0.0, 1.0)));
+        world.look({0.0, 0.0, 5.0}, {0.0, 0.0, -1.0});
+        EXPECT_NEAR(world.estimate(16).mean.x, most < 4 ? 0.0 : 1.0, 1e-5) << most;
     }
 }
 

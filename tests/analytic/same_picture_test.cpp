@@ -325,9 +325,7 @@ void expect_mesh_is_met_as_its_triangles(double from_origin, int allowed) {
     loose.indices = large->indices;
     loose.camera = large->camera;
     loose.ambient = large->ambient;
-    loose.zenith = large->zenith;
-    loose.horizon = large->horizon;
-    loose.nadir = large->nadir;
+    loose.sky = large->sky;
     loose.bounces = large->bounces;
     for (const kernel::ObjectRecord& object : large->objects) {
         if (object.kind != kernel::OBJECT_MESH) {

@@ -102,7 +102,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "has no light \"lmp\" (it has 2 lights: sun, lamp); did you mean \"lamp\"?"},
         Mistake{{"render", "scene.toml", "-o", "old.png", "--aa", "adaptve"},
                 "--aa: expected uniform or adaptive, not \"adaptve\"; did you mean \"adaptive\"?"},
-        Mistake{{"render", "scene.toml", "-o", "old.png", "--integrator", "pats"}, "--integrator: expected auto or whitted or path, not"},
+        Mistake{{"render", "scene.toml", "-o", "old.png", "--integrator", "pats"},
+                "--integrator: expected auto or whitted or path or direct, not"},
         Mistake{{"render", "scene.toml", "-o", "old.png", "--trace", "fast"}, "--trace: expected auto or lanes or bvh, not \"fast\""},
         Mistake{{"render", "scene.toml", "-o", "old.png", "--progress", "loud"}, "--progress: expected bar or plain or json"}));
 

@@ -34,6 +34,16 @@ double area(const scene::TriangleMesh& mesh) {
     return sum;
 }
 
+TEST(Obj, ReadsColors) {
+    Diagnostics diagnostics;
+    const auto mesh = read_obj("v 0 0 0 1 0.5 0\nv 1 0 0\nv 0 1 0 1.0 0 0 1\nvt 0 0\nf 1/1 2/1 3/1\n", "m.obj", diagnostics);
+    ASSERT_TRUE(mesh);
+    ASSERT_EQ(mesh->colors.size(), 3u);
+    EXPECT_NEAR(mesh->colors[0].y, 0.21404114f, 1e-6f) << "they are sRGB";
+    EXPECT_EQ(mesh->colors[1], glm::vec4(1.0f)) << "white where there is none";
+    EXPECT_EQ(mesh->colors[2], glm::vec4(0.0f, 0.0f, 1.0f, 1.0f)) << "after a weight";
+}
+
 TEST(Obj, ReadsPositionsOnly) {
     const MeshReading r = read(square + "f 1 2 3 4\n");
     ASSERT_TRUE(r.mesh) << r.messages;

@@ -193,6 +193,28 @@ std::string ascii(const std::string& elements, const std::string& data) {
     return "ply\nformat ascii 1.0\n" + elements + "end_header\n" + data;
 }
 
+TEST(Ply, ReadsColors) {
+    const std::string rest = "\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::string face = "3 0 1 2\n";
+    const MeshReading bytes = read(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha" +
+        rest + "0 0 0 255 0 188 51\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n" + face);
+    ASSERT_TRUE(bytes.mesh) << bytes.messages;
+    ASSERT_EQ(bytes.mesh->colors.size(), 3u);
+    EXPECT_EQ(bytes.mesh->colors[0].x, 1.0f);
+    EXPECT_NEAR(bytes.mesh->colors[0].z, 0.5028865f, 1e-5f) << "bytes are sRGB";
+    EXPECT_NEAR(bytes.mesh->colors[0].w, 0.2f, 1e-6f) << "alpha is not";
+    const MeshReading floats = read(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float red\nproperty float green\nproperty float blue\n"
+        "property float x\nproperty float y\nproperty float z" +
+        rest + "0.5 0 0 0 0 0\n0 2 0 1 0 0\n0 0 1 0 1 0\n" + face);
+    ASSERT_TRUE(floats.mesh) << floats.messages;
+    EXPECT_EQ(floats.mesh->colors[0], glm::vec4(0.5f, 0.0f, 0.0f, 1.0f)) << "floats are linear";
+    EXPECT_EQ(floats.mesh->colors[1].y, 1.0f);
+    EXPECT_NE(floats.messages.find("1 values of colors lie outside of 0 to 1"), std::string::npos) << floats.messages;
+}
+
 TEST(Ply, CutsLargeFacesAndStrips) {
     const MeshReading concave = read(
         ascii("element vertex 4\n" + vertex_properties + "element face 1\n" + face_properties, "0 0 0\n2 1 0\n0 2 0\n1 1 0\n4 1 2 3 0\n"));

@@ -125,6 +125,14 @@ TEST(Toml, LeavesWhatIsNotWrittenAtTheDefaultsOfTheStructs) {
     EXPECT_EQ(s.settings.exposure, defaults.exposure);
     EXPECT_EQ(s.ambient, scene::Scene{}.ambient);
     EXPECT_EQ(s.background.zenith, scene::Background{}.zenith);
+    EXPECT_FALSE(s.background.image);
+    EXPECT_EQ(s.background.rotation, scene::Background{}.rotation);
+    EXPECT_EQ(s.background.strength, scene::Background{}.strength);
+    EXPECT_EQ(s.background.visible, scene::Background{}.visible);
+    EXPECT_EQ(s.settings.diffuse_bounces, defaults.diffuse_bounces);
+    EXPECT_EQ(s.settings.glossy_bounces, defaults.glossy_bounces);
+    EXPECT_EQ(s.settings.transmission_bounces, defaults.transmission_bounces);
+    EXPECT_EQ(s.settings.direct_samples, defaults.direct_samples);
 }
 
 TEST(Toml, ReadsShapes) {
@@ -284,6 +292,85 @@ position = [0, 0, 9]
     EXPECT_EQ(image.position.line, 5);
 }
 
+TEST(Toml, ReadsNumbersFromTextures) {
+    const TemporaryFolder folder;
+    folder.write("a.png", "not looked into here");
+    const Reading reading = read_text(R"(
+[material.m]
+type = "principled"
+roughness = { texture = { type = "image", file = "a.png", wrap_v = "clamp", rotation = 90, uv_set = 1 }, channel = "green", scale = 0.5, offset = 0.1 }
+metalness = 0.7
+sheen = { type = "vertex_color" }
+coat = { texture = { type = "face_color" } }
+normal_map = { type = "image", file = "a.png", encoding = "srgb" }
+normal_scale = 0.5
+normal_flip_green = true
+opacity = { texture = { type = "image", file = "a.png" }, channel = "alpha" }
+opacity_cutoff = 0.5
+[material.later]
+type = "mix"
+first = "last"
+second = { type = "diffuse" }
+share = 0.3
+behind = "m"
+[material.last]
+type = "diffuse"
+one_sided = true
+bump = { texture = { type = "checker" }, scale = 0.01 }
+[[sphere]]
+material = "later"
+[[light]]
+type = "point"
+position = [0, 0, 9]
+)",
+                                      folder / "scene.toml");
+    ASSERT_TRUE(reading.scene) << reading.all();
+    const scene::Material& m = reading.scene->materials[0];
+    const auto& model = std::get<scene::PrincipledMaterial>(m.model);
+    const auto& image = std::get<scene::ImageTexture>(model.roughness.texture.value());
+    EXPECT_TRUE(image.linear) << "numbers are not encoded";
+    EXPECT_EQ(image.wrap, scene::Wrap::repeat);
+    EXPECT_EQ(image.wrap_v, scene::Wrap::clamp);
+    EXPECT_EQ(image.rotation, 90.0);
+    EXPECT_EQ(image.uv_set, 1);
+    EXPECT_EQ(image.filter, scene::Filter::mipmaps);
+    EXPECT_EQ(model.roughness.channel, scene::Channel::green);
+    EXPECT_EQ(model.roughness.scale, 0.5);
+    EXPECT_EQ(model.roughness.offset, 0.1);
+    EXPECT_EQ(model.metalness.number, 0.7);
+    EXPECT_FALSE(std::get<scene::MeshColors>(model.sheen).of_faces);
+    EXPECT_TRUE(std::get<scene::MeshColors>(model.coat.texture.value()).of_faces);
+    EXPECT_FALSE(std::get<scene::ImageTexture>(m.relief.normals.value()).linear);
+    EXPECT_EQ(m.relief.scale, 0.5);
+    EXPECT_TRUE(m.relief.flips_green);
+    EXPECT_EQ(m.opacity.channel, scene::Channel::alpha);
+    EXPECT_EQ(m.opacity_cutoff, 0.5);
+    const scene::Material& mix = reading.scene->materials[1];
+    EXPECT_EQ(std::get<scene::MixMaterial>(mix.model).first, 2);
+    EXPECT_EQ(std::get<scene::MixMaterial>(mix.model).second, 3);
+    EXPECT_EQ(std::get<scene::MixMaterial>(mix.model).share.number, 0.3);
+    EXPECT_EQ(mix.behind, 0);
+    EXPECT_TRUE(reading.scene->materials[2].one_sided);
+    EXPECT_EQ(reading.scene->materials[2].relief.heights.value().scale, 0.01);
+}
+
+TEST(Toml, ReadsColorsOfMeshes) {
+    const scene::Scene s = read_part(R"(
+[[mesh]]
+positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+triangles = [[0, 0, 1], [0, 1, 2]]
+colors = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+face_colors = [[1, 1, 0], [0.5, 0.25, 0]]
+)");
+    const scene::TriangleMesh& mesh = *std::get<scene::Mesh>(s.objects[0].shape).data;
+    EXPECT_EQ(mesh.colors, (std::vector<glm::vec4>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}}));
+    EXPECT_EQ(mesh.face_colors, (std::vector<glm::vec4>{{0.5f, 0.25f, 0, 1}})) << "that of the needle went with it";
+    const Reading wrong =
+        read_text("[[mesh]]\npositions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\ntriangles = [[0, 1, 2]]\ncolors = [[1, 0, 0]]\n");
+    EXPECT_NE(wrong.all().find(":4:10: error: \"colors\" must have one entry for each of the 3 positions, not 1"), std::string::npos)
+        << wrong.all();
+}
+
 TEST(Toml, ReadsRefraction) {
     const scene::Scene s = read_part(R"(
 [[sphere]]
@@ -429,6 +516,33 @@ exposure = -1.5
     const scene::Scene t = read_part("background = 'red'\n[ambient]\ncolor = [2, 2, 2]\n[[sphere]]\n");
     EXPECT_EQ(t.background.nadir, Rgb(1, 0, 0));
     EXPECT_EQ(t.ambient, Rgb(2.0));
+}
+
+TEST(Toml, ReadsASkyAndLimits) {
+    const std::string sky = LANCER_SOURCE_FOLDER "/scenes/textures/sky.hdr";
+    const scene::Scene s = read_part("[background]\nimage = '" + sky + R"('
+rotation = -30
+strength = 2
+visible = false
+[render]
+integrator = "direct"
+direct_samples = "emitter"
+diffuse_bounces = 1
+glossy_bounces = 2
+transmission_bounces = 3
+[[sphere]]
+material = { type = "diffuse" }
+)");
+    ASSERT_TRUE(s.background.image);
+    EXPECT_EQ(s.background.image->file, sky);
+    EXPECT_EQ(s.background.rotation, -30.0);
+    EXPECT_EQ(s.background.strength, 2.0);
+    EXPECT_FALSE(s.background.visible);
+    EXPECT_EQ(s.settings.direct_samples, scene::DirectSamples::emitter);
+    EXPECT_EQ(s.settings.diffuse_bounces, 1);
+    EXPECT_EQ(s.settings.glossy_bounces, 2);
+    EXPECT_EQ(s.settings.transmission_bounces, 3);
+    EXPECT_EQ(scene::bounces_of(s), 1);
 }
 
 TEST(Toml, ReadsGroups) {

@@ -1,5 +1,5 @@
 // Every emitter: where its samples fall is what its density says.
-#include "lancer/kernel/emitter.h"
+#include "lancer/kernel/emitter/emitter.h"
 
 #include <cmath>
 #include <functional>
@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "lancer/image/image.h"
 #include "lancer/kernel/all_objects.h"
 #include "lancer/world/compile.h"
 #include "statistics/bsdf_cases.h"
@@ -50,8 +51,10 @@ std::shared_ptr<const World> compiled(const scene::Scene& scene) {
     return world;
 }
 
-std::shared_ptr<const World> world_with(const scene::Shape& shape, const glm::dmat4& placed = glm::dmat4(1.0)) {
+std::shared_ptr<const World> world_with(const scene::Shape& shape, const glm::dmat4& placed = glm::dmat4(1.0),
+                                        const scene::Texture& texture = scene::Rgb(1.0)) {
     scene::Scene scene = lit_scene();
+    scene.materials.front().emission->radiance = texture;
     scene::Object object;
     object.shape = shape;
     object.to_parent = placed;
@@ -92,6 +95,25 @@ scene::Mesh grid(int side) {
     return scene::Mesh{mesh, false};
 }
 
+// A few texels of different brightness, one of them a sun, some black.
+scene::Background image_of_a_sky() {
+    Image image;
+    image.width = 12;
+    image.height = 6;
+    for (int i = 0; i < image.width * image.height; ++i) {
+        const float light = i == 20 ? 40.0f : i % 5 == 0 ? 0.0f : 0.2f * static_cast<float>(i % 7);
+        image.pixels.insert(image.pixels.end(), {light, 0.5f * light, 2.0f * light});
+    }
+    const std::string file = testing::TempDir() + "sky.hdr";
+    write_image(file, image, {});
+    scene::Background background;
+    background.image = scene::ImageTexture{};
+    background.image->file = file;
+    background.rotation = 40.0;
+    background.strength = 3.0;
+    return background;
+}
+
 std::vector<EmitterCase> emitter_cases() {
     std::vector<EmitterCase> cases;
     const auto add = [&](const std::string& name, int kind, std::shared_ptr<const World> world) {
@@ -108,7 +130,14 @@ std::vector<EmitterCase> emitter_cases() {
     sky.background.zenith = scene::Rgb(1.0);
     sky.background.horizon = scene::Rgb(0.5);
     sky.background.nadir = scene::Rgb(0.2);
-    add("surroundings", EMITTER_ENVIRONMENT, compiled(sky));
+    add("gradient", EMITTER_ENVIRONMENT, compiled(sky));
+    sky.background.horizon = sky.background.nadir = sky.background.zenith;
+    add("even sky", EMITTER_ENVIRONMENT, compiled(sky));
+    sky.background = image_of_a_sky();
+    add("image of a sky", EMITTER_ENVIRONMENT, compiled(sky));
+    sky.settings.integrator = "direct";
+    sky.settings.direct_samples = scene::DirectSamples::emitter;  // what is darker than the mean is drawn, too
+    add("image of a sky, all of it", EMITTER_ENVIRONMENT, compiled(sky));
     add("sphere", EMITTER_SPHERE, world_with(scene::Sphere{{0.5, 1.5, 0.7}, 0.8}));
     add("sphere from within", EMITTER_SPHERE, world_with(scene::Sphere{{0.2, 0.3, 0.1}, 1.0}));
     const auto stretch = [](double x, double y, double z) {
@@ -123,19 +152,27 @@ std::vector<EmitterCase> emitter_cases() {
     triangle->positions = {{-0.5f, 1.5f, -0.4f}, {1.2f, 1.6f, 0.0f}, {0.1f, 1.0f, 1.1f}};
     triangle->triangles = {{0, 1, 2}};
     add("triangle", EMITTER_TRIANGLE, world_with(scene::Mesh{triangle, false}));
-    add("mesh", EMITTER_MESH, world_with(grid(6), glm::translate(glm::dmat4(1.0), {-0.3, 1.3, -0.2})));
-    EmitterCase& mesh = cases.back();
-    for (std::size_t part = 0; 3 * part < mesh.world->indices.size(); ++part) {
-        for (const auto& [u, v] : {std::pair{0.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}}) {
-            mesh.corners.push_back(mesh_surface(mesh.world->record(), 0, static_cast<int>(part), u, v, true).position);
+    const scene::Checker squares{scene::Rgb(1.0), scene::Rgb(0.0), 0.4, true};
+    for (const scene::Texture& texture : {scene::Texture(scene::Rgb(1.0)), scene::Texture(squares)}) {
+        add("mesh", EMITTER_MESH, world_with(grid(6), glm::translate(glm::dmat4(1.0), {-0.3, 1.3, -0.2}), texture));
+        EmitterCase& mesh = cases.back();
+        for (std::size_t part = 0; 3 * part < mesh.world->indices.size(); ++part) {
+            for (const auto& [u, v] : {std::pair{0.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}}) {
+                mesh.corners.push_back(mesh_surface(mesh.world->record(), 0, static_cast<int>(part), u, v, true).position);
+            }
         }
     }
     return cases;
 }
 
 // All points of the emitter along a direction from the origin.
-std::vector<SurfacePoint> points_along(const EmitterCase& c, const WorldRecord& world, const Vec3& direction) {
-    std::vector<SurfacePoint> points;
+struct Met {
+    SurfacePoint point;
+    int part = 0;
+};
+
+std::vector<Met> points_along(const EmitterCase& c, const WorldRecord& world, const Vec3& direction) {
+    std::vector<Met> points;
     Ray ray;
     ray.origin = vec3_all(0.0f);
     ray.direction = direction;
@@ -146,7 +183,7 @@ std::vector<SurfacePoint> points_along(const EmitterCase& c, const WorldRecord& 
             const auto corner = [&](int i) { return c.corners[static_cast<std::size_t>(3 * part + i)]; };
             const TriangleHit met = triangle_hit(corner(0), corner(1), corner(2), ray);
             if (met.t < FAR) {
-                points.push_back(mesh_surface(world, 0, part, met.u, met.v, true));
+                points.push_back({mesh_surface(world, 0, part, met.u, met.v, true), part});
             }
         }
         return points;
@@ -156,11 +193,11 @@ std::vector<SurfacePoint> points_along(const EmitterCase& c, const WorldRecord& 
         if (hit.object < 0) {
             break;
         }
-        points.push_back(object_surface(world, world.objects[hit.object], ray, hit, true));
+        points.push_back({object_surface(world, world.objects[hit.object], ray, hit, true), 0});
         if (c.kind == EMITTER_SPHERE) {
             break;  // from outside only the near half is drawn from
         }
-        ray.origin = points.back().position + direction * 1e-4f;
+        ray.origin = points.back().point.position + direction * 1e-4f;
     }
     return points;
 }
@@ -201,11 +238,10 @@ TEST(Emitter, DrawsWithItsDensity) {
                 continue;
             }
             cells.count(std::atan2(double(s.direction.y), double(s.direction.x)) / (2.0 * pi) + 0.5, 0.5 * double(s.direction.z) + 0.5);
-            SurfacePoint point = no_surface();
-            point.position = s.target;
-            point.normal = s.normal;
-            const float density = emitter_density(world, emitter, from, s.direction, point);
-            wrong_densities += std::abs(density - s.density) <= 0.005f * s.density ? 0 : 1;
+            if (c.kind != EMITTER_MESH) {  // which triangle it was is not told
+                const float density = emitter_density(world, emitter, from, s.direction, s.point, 0, true);
+                wrong_densities += std::abs(density - s.density) <= 0.005f * s.density ? 0 : 1;
+            }
         }
         EXPECT_LE(wrong_densities, draws / 1000);
         if (cells.total() == 0.0) {
@@ -216,14 +252,14 @@ TEST(Emitter, DrawsWithItsDensity) {
             const Vec3 direction = direction_of(2.0 * y - 1.0, (2.0 * x - 1.0) * pi);
             double at = 0.0;
             if (c.kind == EMITTER_ENVIRONMENT) {
-                at = double(emitter_density(world, emitter, from, direction, no_surface()));
+                at = double(emitter_density(world, emitter, from, direction, no_surface(), 0, true));
             } else {
-                for (const SurfacePoint& point : points_along(c, world, direction)) {
+                for (const Met& met : points_along(c, world, direction)) {
                     // The density has no bound at an outline, nor have rounding errors.
-                    if (std::abs(dot(direction, point.normal)) < 1e-3f) {
+                    if (std::abs(dot(direction, met.point.normal)) < 1e-3f) {
                         continue;
                     }
-                    at += double(emitter_density(world, emitter, from, direction, point));
+                    at += double(emitter_density(world, emitter, from, direction, met.point, met.part, true));
                 }
             }
             return Pair{at * 4.0 * pi, 0.0};

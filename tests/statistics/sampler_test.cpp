@@ -21,7 +21,7 @@ TEST(Sampler, IsUniformOverPixels) {
             std::vector<double> counts(32 * 32);
             constexpr int pixels = 100000;
             for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
-                const Vec2 u = sample_pair(start_sampler(scramble_lanes(pixel), number), decision);
+                const Vec2 u = sample_pair(start_sampler(scramble(pixel), number), decision);
                 ASSERT_TRUE(u.x >= 0.0f && u.x < 1.0f && u.y >= 0.0f && u.y < 1.0f);
                 counts[static_cast<std::size_t>(u.x * 32.0f) * 32 + static_cast<std::size_t>(u.y * 32.0f)] += 1.0;
             }
@@ -66,7 +66,7 @@ TEST(Sampler, DecisionsAreIndependent) {
         constexpr int pixels = 4000;
         for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
             for (std::uint32_t number = 0; number < 16; ++number) {
-                const Sampler s = start_sampler(scramble_lanes(pixel * 7919u + 13u), number);
+                const Sampler s = start_sampler(scramble(pixel * 7919u + 13u), number);
                 const Vec2 u = sample_pair(s, a);
                 const Vec2 v = sample_pair(s, b);
                 first[static_cast<std::size_t>(u.x * side) * side + static_cast<std::size_t>(v.x * side)] += 1.0;
@@ -87,7 +87,7 @@ TEST(Sampler, ProductsOfDecisionsIntegrate) {
     for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
         double sum = 0.0;
         for (std::uint32_t number = 0; number < 256; ++number) {
-            const Sampler s = start_sampler(scramble_lanes(pixel), number);
+            const Sampler s = start_sampler(scramble(pixel), number);
             sum += double(sample_pair(s, 1).x) * double(sample_pair(s, 2).y);
         }
         squared += (sum / 256.0 - 0.25) * (sum / 256.0 - 0.25);

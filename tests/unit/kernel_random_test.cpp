@@ -1,9 +1,7 @@
-// Random numbers are a pure function, uniform, and neighbours know nothing of one another.
+// Random numbers are a pure function of seed, pixel, sample and decision, and neighbours in each know nothing of one another.
 //
 // The numbers are the same in every run, so a test that passes once passes always. The limits are those that fair numbers exceed once in a
 // million times.
-#include "lancer/kernel/random.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "lancer/kernel/sampler.h"
 
 namespace lancer {
 namespace {
@@ -23,27 +23,27 @@ double chi_squared_limit(int degrees) {
     return degrees * std::pow(1.0 - a + one_in_a_million * std::sqrt(a), 3.0);
 }
 
-// Two independent numbers at (pixel, sample, dimension) and somewhere near.
+float number_of(std::uint32_t seed, std::uint32_t column, std::uint32_t row, std::uint32_t sample, std::uint32_t decision) {
+    return kernel::sample_pair(kernel::start_sampler(kernel::pixel_key(column, row, seed), sample), decision).x;
+}
+
+// Two independent numbers: somewhere, and somewhere near.
 struct Step {
     const char* name;
-    std::uint32_t seed, pixel, sample, dimension;
+    std::uint32_t seed, column, row, decision;
 };
 
-constexpr Step steps[] = {{"next seed", 1, 0, 0, 0},
-                          {"next pixel", 0, 1, 0, 0},
-                          {"pixel below", 0, 1920, 0, 0},
-                          {"next sample", 0, 0, 1, 0},
-                          {"next dimension", 0, 0, 0, 1},
-                          {"pixel against sample", 0, 1, ~0u, 0},
-                          {"sample against dimension", 0, 0, 1, ~0u}};
+constexpr Step steps[] = {{"next seed", 1, 0, 0, 0},     {"next pixel", 0, 1, 0, 0},           {"pixel below", 0, 0, 1, 0},
+                          {"next decision", 0, 0, 0, 1}, {"pixel against seed", ~0u, 1, 0, 0}, {"pixel against decision", 0, 1, 0, ~0u}};
 
 TEST(KernelRandom, IsAPureFunctionOfEachArgument) {
-    const std::uint32_t here = kernel::random_bits(1, 2, 3, 4);
-    EXPECT_EQ(kernel::random_bits(1, 2, 3, 4), here);
-    EXPECT_NE(kernel::random_bits(2, 2, 3, 4), here);
-    EXPECT_NE(kernel::random_bits(1, 3, 3, 4), here);
-    EXPECT_NE(kernel::random_bits(1, 2, 4, 4), here);
-    EXPECT_NE(kernel::random_bits(1, 2, 3, 5), here);
+    const float here = number_of(1, 2, 3, 4, 5);
+    EXPECT_EQ(number_of(1, 2, 3, 4, 5), here);
+    EXPECT_NE(number_of(2, 2, 3, 4, 5), here);
+    EXPECT_NE(number_of(1, 3, 3, 4, 5), here);
+    EXPECT_NE(number_of(1, 2, 4, 4, 5), here);
+    EXPECT_NE(number_of(1, 2, 3, 5, 5), here);
+    EXPECT_NE(number_of(1, 2, 3, 4, 6), here);
     EXPECT_EQ(kernel::scramble(0u), 129708002u) << "pictures depend on these bits";
 }
 
@@ -57,35 +57,26 @@ TEST(KernelRandom, ScrambleIsAPermutation) {
     EXPECT_EQ(std::adjacent_find(values.begin(), values.end()), values.end());
 }
 
-TEST(KernelRandom, LiesBelowOne) {
-    float least = 1.0f, most = 0.0f;
-    for (std::uint32_t i = 0; i < 1u << 20; ++i) {
-        const float x = kernel::random_number(7, i, 0, 0);
-        least = std::min(least, x);
-        most = std::max(most, x);
-    }
-    EXPECT_GE(least, 0.0f);
-    EXPECT_LT(least, 1e-4f);
-    EXPECT_LT(most, 1.0f);
-    EXPECT_GT(most, 0.9999f);
-}
-
-TEST(KernelRandom, IsUniform) {
-    constexpr int cells = 1024;
-    constexpr int count = 1 << 20;
-    // Along each argument.
-    for (int along = 0; along < 4; ++along) {
-        std::vector<int> hits(cells, 0);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const float x = kernel::random_number(along == 0 ? i : 3, along == 1 ? i : 5, along == 2 ? i : 7, along == 3 ? i : 11);
-            ++hits[static_cast<std::size_t>(x * cells)];
+// Pixels of one picture hardly ever have the key of a pixel of another seed's picture: of two sets of n random keys, n^2 / 2^32 pairs are equal.
+TEST(KernelRandom, SeedsShareNoKeys) {
+    constexpr std::uint32_t side = 512;
+    const auto keys = [](std::uint32_t seed) {
+        std::vector<std::uint32_t> all;
+        for (std::uint32_t row = 0; row < side; ++row) {
+            for (std::uint32_t column = 0; column < side; ++column) {
+                all.push_back(kernel::pixel_key(column, row, seed));
+            }
         }
-        double chi_squared = 0.0;
-        const double expected = static_cast<double>(count) / cells;
-        for (const int n : hits) {
-            chi_squared += (n - expected) * (n - expected) / expected;
-        }
-        EXPECT_LT(chi_squared, chi_squared_limit(cells - 1)) << "argument " << along;
+        std::sort(all.begin(), all.end());
+        return all;
+    };
+    const std::vector<std::uint32_t> first = keys(0);
+    const double expected = std::pow(side, 4.0) / 4294967296.0;  // 16
+    for (const std::uint32_t seed : {1u, 2u, 512u, 65536u}) {
+        std::vector<std::uint32_t> shared;
+        const std::vector<std::uint32_t> second = keys(seed);
+        std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(shared));
+        EXPECT_LT(static_cast<double>(shared.size()), expected + 6.0 * std::sqrt(expected)) << "seed " << seed;
     }
 }
 
@@ -97,9 +88,9 @@ TEST(KernelRandom, NeighboursAreIndependent) {
         std::vector<int> hits(cells * cells, 0);
         double product = 0.0;
         for (std::uint32_t i = 0; i < width * width; ++i) {
-            const std::uint32_t pixel = i % width * 2, sample = i / width + 1, dimension = 9;
-            const float x = kernel::random_number(4, pixel, sample, dimension);
-            const float y = kernel::random_number(4 + step.seed, pixel + step.pixel, sample + step.sample, dimension + step.dimension);
+            const std::uint32_t column = i % width * 2, row = i / width * 2;
+            const float x = number_of(4, column, row, 3, 9);
+            const float y = number_of(4 + step.seed, column + step.column, row + step.row, 3, 9 + step.decision);
             ++hits[static_cast<std::size_t>(x * cells) * cells + static_cast<std::size_t>(y * cells)];
             product += (static_cast<double>(x) - 0.5) * (static_cast<double>(y) - 0.5);
         }
@@ -114,23 +105,23 @@ TEST(KernelRandom, NeighboursAreIndependent) {
     }
 }
 
-// Each input bit turns each output bit in half of the cases.
+// Each bit of the pixel and of the seed turns each bit of the key in half of the cases.
 TEST(KernelRandom, BitsAvalanche) {
     constexpr int count = 4096;
-    for (int argument = 0; argument < 4; ++argument) {
-        for (int bit = 0; bit < 32; ++bit) {
+    for (int argument = 0; argument < 3; ++argument) {
+        for (int bit = 0; bit < 16; ++bit) {
             std::array<int, 32> turned{};
             for (std::uint32_t i = 0; i < count; ++i) {
-                std::uint32_t in[4] = {i, i * 3, i * 5, i * 7};
-                const std::uint32_t before = kernel::random_bits(in[0], in[1], in[2], in[3]);
-                in[argument] ^= 1u << bit;
-                const std::uint32_t changed = before ^ kernel::random_bits(in[0], in[1], in[2], in[3]);
+                std::uint32_t from[3] = {i, i * 3, i * 5};
+                const std::uint32_t before = kernel::pixel_key(from[0] & 65535u, from[1] & 65535u, from[2]);
+                from[argument] ^= 1u << bit;
+                const std::uint32_t changed = before ^ kernel::pixel_key(from[0] & 65535u, from[1] & 65535u, from[2]);
                 for (std::size_t k = 0; k < 32; ++k) {
                     turned[k] += static_cast<int>((changed >> k) & 1u);
                 }
             }
             for (const int n : turned) {
-                // 4096 pairs of bits are looked at: eight standard deviations are one in 10^12 for each.
+                // 1536 bits are looked at: eight standard deviations are one in 10^12 for each.
                 EXPECT_LT(std::abs(n - count / 2), 8.0 * std::sqrt(count) / 2.0) << "argument " << argument << ", bit " << bit;
             }
         }

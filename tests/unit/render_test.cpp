@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -39,13 +40,13 @@ public:
         }
         counts.camera += points.size();
     }
-    void follow_paths(const PathRange& range, std::span<glm::vec3> radiance, RayCounts& counts) const override {
+    void trace_paths(const PathRange& range, const PathSamples& samples, RayCounts& counts) const override {
         std::size_t next = 0;
         for (int y = range.y0; y < range.y1; ++y) {
             for (int x = range.x0; x < range.x1; ++x) {
                 for (int i = 0; i < range.sample_count; ++i) {
-                    radiance[next++] = paint_(glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f)) *
-                                       static_cast<float>(range.first_sample + i);
+                    samples.radiance[next++] = paint_(glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f)) *
+                                               static_cast<float>(range.first_sample + i);
                 }
             }
         }
@@ -219,12 +220,14 @@ TEST_P(EitherSampling, UsesAsManyThreadsAsAsked) {
     RenderOptions four = options();
     four.threads = 4;
     std::mutex mutex;
+    std::condition_variable came;
     std::set<std::thread::id> seen;
     const auto slow = [&](glm::vec2 p) {
-        const std::scoped_lock lock(mutex);
+        std::unique_lock lock(mutex);
         if (seen.insert(std::this_thread::get_id()).second) {
-            // Give the others the time to come.
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            came.notify_all();
+            // The first one waits for another, on however busy a machine.
+            came.wait_for(lock, std::chrono::seconds(20), [&] { return seen.size() > 1; });
         }
         return paint_disk(p);
     };

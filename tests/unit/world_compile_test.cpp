@@ -424,6 +424,24 @@ TEST(CompileMaterials, MissingPicturesAreNamedWithTheirPlace) {
     EXPECT_NE(said.find("/nowhere/missing.png"), std::string::npos) << said;
 }
 
+TEST(CompileMaterials, AnInfinitePlaneIsNoLamp) {
+    scene::Scene scene = scene_of(scene::Plane{});
+    scene.materials[0].model = scene::DiffuseMaterial{};
+    scene.materials[0].emission = scene::Emission{scene::Rgb(1.0), 1.0, false};
+    scene.materials[0].position = {"test.toml", 7, 1};
+    const std::string said = complaint(scene);
+    EXPECT_EQ(said.rfind("test.toml:7:1: error: an infinite plane can't be a lamp", 0), 0u) << said;
+}
+
+TEST(CompileMaterials, DirectLightHasOneBounce) {
+    scene::Scene scene = scene_of(scene::Sphere{});
+    scene.materials[0].model = scene::DiffuseMaterial{};
+    scene.settings.integrator = "direct";
+    EXPECT_EQ(compiled(scene)->max_depth, 1);
+    scene.settings.bounces = 2;
+    EXPECT_NE(complaint(scene).find("2 bounces: expected 0 to 1"), std::string::npos);
+}
+
 TEST(CompileMaterials, AllComplaintsAtOnce) {
     scene::Scene scene = scene_of(scene::Sphere{{0, 0, 0}, 0.0});
     scene::WhittedMaterial glass;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "lancer/app/cli/spelling.h"
 #include "lancer/device/cpu/cpu.h"
@@ -96,8 +97,46 @@ Metadata describe(const scene::Scene& scene, const std::string& command) {
         {"lancer:bounces", fmt::format("{}", scene::bounces_of(scene))},
         {"lancer:antialiasing", antialiasing_in_words(scene)},
         {"lancer:exposure", fmt::format("{}", settings.exposure)},
+        {"lancer:view", settings.view},
         {"lancer:color", "linear Rec. 709 primaries, D65 white; PNG and JPEG encoded as sRGB"},
     };
+}
+
+// What EXR files are to hold beside the picture.
+PictureContents contents_of(const scene::Scene& scene, Diagnostics& diagnostics) {
+    PictureContents contents;
+    for (const std::string& name : scene.settings.aovs) {
+        const std::optional<Aov> aov = find_aov(name);
+        if (!aov) {
+            diagnostics.error({},
+                              fmt::format("--aov: there is no \"{}\" ({}){}", name, fmt::join(aov_names(), ", "), hint(name, aov_names())));
+        } else if (std::find(contents.aovs.begin(), contents.aovs.end(), *aov) == contents.aovs.end()) {
+            contents.aovs.push_back(*aov);
+        }
+    }
+    contents.spectral_bins = scene.settings.spectral_bins;
+    contents.wide = scene.settings.wide;
+    if (scene::chosen_integrator(scene) != "path" && (!contents.aovs.empty() || contents.spectral_bins > 0)) {
+        diagnostics.error(
+            {},
+            "--aov and --spectral-bins are for the path integrator, but this scene is rendered by Whitted's; --integrator path "
+            "would choose the other");
+    }
+    if (scene.settings.rgb && contents.spectral_bins > 0) {
+        diagnostics.error({}, "--spectral-bins needs paths that carry wavelengths, not RGB");
+    }
+    return contents;
+}
+
+PictureNames names_of(const World& world) {
+    PictureNames names;
+    for (std::size_t i = 0; i < world.objects.size(); ++i) {
+        names.objects.push_back(world.object_name(static_cast<int>(i)));
+    }
+    for (std::size_t i = 0; i < world.materials.size(); ++i) {
+        names.materials.push_back(world.material_name(static_cast<int>(i)));
+    }
+    return names;
 }
 
 Tracer tracer_named(const std::optional<std::string>& name) {
@@ -111,7 +150,7 @@ Tracer tracer_named(const std::optional<std::string>& name) {
 
 std::string antialiasing_in_words(const scene::Scene& scene) {
     const scene::RenderSettings& settings = scene.settings;
-    if (scene::chosen_integrator(scene) == "path") {
+    if (scene::follows_paths(scene)) {
         return fmt::format("{} samples a pixel", settings.spp);
     }
     if (settings.antialiasing == scene::Antialiasing::adaptive) {
@@ -130,6 +169,15 @@ void apply_arguments(scene::Scene& scene, const RenderArguments& arguments, Diag
     if (arguments.bounces) {
         settings.bounces = arguments.bounces;
     }
+    const auto limit = [](std::optional<int>& setting, const std::optional<int>& argument) { setting = argument ? argument : setting; };
+    limit(settings.diffuse_bounces, arguments.diffuse_bounces);
+    limit(settings.glossy_bounces, arguments.glossy_bounces);
+    limit(settings.transmission_bounces, arguments.transmission_bounces);
+    if (arguments.direct_samples) {
+        settings.direct_samples = *arguments.direct_samples == "emitter" ? scene::DirectSamples::emitter
+                                  : *arguments.direct_samples == "bsdf"  ? scene::DirectSamples::bsdf
+                                                                         : scene::DirectSamples::mis;
+    }
     settings.spp = arguments.spp.value_or(settings.spp);
     settings.seed = arguments.seed.value_or(settings.seed);
     settings.rgb = settings.rgb || arguments.rgb;
@@ -137,6 +185,12 @@ void apply_arguments(scene::Scene& scene, const RenderArguments& arguments, Diag
     settings.adaptive_threshold = arguments.adaptive_threshold.value_or(settings.adaptive_threshold);
     settings.adaptive_depth = arguments.adaptive_depth.value_or(settings.adaptive_depth);
     settings.exposure = arguments.exposure.value_or(settings.exposure);
+    settings.view = arguments.view.value_or(settings.view);
+    settings.spectral_bins = arguments.spectral_bins.value_or(settings.spectral_bins);
+    settings.wide = settings.wide || arguments.wide;
+    if (!arguments.aovs.empty()) {
+        settings.aovs = arguments.aovs;
+    }
 
     // Who speaks of one kind of anti-aliasing wants that kind.
     const bool speaks_of_adaptive = arguments.adaptive_threshold || arguments.adaptive_depth;
@@ -174,6 +228,7 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
                                                           scene.settings.width, scene.settings.height, max_pixels / 1000000));
         return std::nullopt;
     }
+    const PictureContents contents = contents_of(scene, diagnostics);
     const std::shared_ptr<const World> world = compile_world(scene, scene.cameras.front(), diagnostics);
     if (world == nullptr || diagnostics.has_errors()) {
         return std::nullopt;
@@ -183,13 +238,20 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
     prepared.options.width = scene.settings.width;
     prepared.options.height = scene.settings.height;
     prepared.options.threads = arguments.threads.value_or(hardware_threads());
-    prepared.options.spp = scene::chosen_integrator(scene) == "path" ? scene.settings.spp : 0;
+    prepared.options.spp = scene::follows_paths(scene) ? scene.settings.spp : 0;
     prepared.options.ssaa = scene.settings.ssaa;
     prepared.options.adaptive = scene.settings.antialiasing == scene::Antialiasing::adaptive;
     prepared.options.adaptive_threshold = scene.settings.adaptive_threshold;
     prepared.options.adaptive_depth = scene.settings.adaptive_depth;
     prepared.options.exposure = scene.settings.exposure;
     prepared.options.shuffle = 1;  // so that the time left is not guessed from the sky alone
+
+    prepared.view = ViewTransform(find_view(scene.settings.view).value_or(View::srgb), scene.settings.exposure);
+    prepared.contents = contents;
+    if (layers_for(contents).ids) {
+        prepared.names = names_of(*world);
+    }
+    prepared.world = world;
 
     CpuOptions cpu;
     cpu.tracer = tracer_named(arguments.trace);

@@ -8,9 +8,12 @@
 #include "lancer/app/cli/render_arguments.h"
 #include "lancer/base/diagnostic.h"
 #include "lancer/device/device.h"
+#include "lancer/film/layered_picture.h"
 #include "lancer/image/image.h"
+#include "lancer/image/view.h"
 #include "lancer/render/render.h"
 #include "lancer/scene/scene.h"
+#include "lancer/world/world.h"
 
 namespace lancer::app {
 
@@ -19,6 +22,10 @@ struct Prepared {
     RenderOptions options;
     std::unique_ptr<Device> device;
     Metadata metadata;  // for every picture made of it
+    ViewTransform view;
+    PictureContents contents;  // of EXR files
+    PictureNames names;        // where these contents need them
+    std::shared_ptr<const World> world;
 };
 
 // How many samples a pixel gets, and where.

@@ -14,12 +14,12 @@ void SmallerFilm::follow(std::span<const glm::vec2> points, std::span<glm::vec3>
 }
 
 // A pixel stands for the block of pixels around it.
-void SmallerFilm::follow_paths(const PathRange& range, std::span<glm::vec3> radiance, RayCounts& counts) const {
+void SmallerFilm::trace_paths(const PathRange& range, const PathSamples& samples, RayCounts& counts) const {
     std::size_t next = 0;
     for (int y = range.y0; y < range.y1; ++y) {
         for (int x = range.x0; x < range.x1; ++x) {
             const PathRange one{x * factor_, y * factor_, x * factor_ + 1, y * factor_ + 1, range.first_sample, range.sample_count};
-            device_.follow_paths(one, radiance.subspan(next, one.paths()), counts);
+            device_.trace_paths(one, samples.part(next, one.paths()), counts);
             next += one.paths();
         }
     }

@@ -15,7 +15,7 @@ public:
     int lanes() const override { return device_.lanes(); }
     std::string description() const override { return device_.description(); }
     void follow(std::span<const glm::vec2> points, std::span<glm::vec3> radiance, RayCounts& counts) const override;
-    void follow_paths(const PathRange& range, std::span<glm::vec3> radiance, RayCounts& counts) const override;
+    void trace_paths(const PathRange& range, const PathSamples& samples, RayCounts& counts) const override;
 
 private:
     const Device& device_;

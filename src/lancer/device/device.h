@@ -9,6 +9,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "lancer/film/path_samples.h"
+
 namespace lancer {
 
 struct RayCounts {
@@ -39,6 +41,15 @@ struct PathRange {
     }
 };
 
+// Where a path's light went wrong.
+struct PathFault {
+    enum class What { none, not_a_number, infinite, negative };
+    What what = What::none;
+    int vertex = -1;  // of the path, the first after the camera is 0
+    int object = -1;  // into World::objects; -1: it met nothing
+    int material = -1;
+};
+
 class Device {
 public:
     virtual ~Device() = default;
@@ -54,9 +65,17 @@ public:
     // comes with it. Called from many threads at once. Rays followed are added to `counts`.
     virtual void follow(std::span<const glm::vec2> points, std::span<glm::vec3> radiance, RayCounts& counts) const = 0;
 
-    // The path integrator: the radiance (linear RGB) of every sample of the range, pixel by pixel in rows, a pixel's samples together;
-    // `radiance` has range.paths() entries. Pure and called from many threads, as above.
-    virtual void follow_paths(const PathRange& range, std::span<glm::vec3> radiance, RayCounts& counts) const = 0;
+    // The path integrator: what is asked for of every sample of the range, pixel by pixel in rows, a pixel's samples together; the spans of
+    // `samples` have range.paths() entries, or none. Pure and called from many threads, as above.
+    virtual void trace_paths(const PathRange& range, const PathSamples& samples, RayCounts& counts) const = 0;
+
+    // Their radiance alone.
+    void follow_paths(const PathRange& range, std::span<glm::vec3> radiance, RayCounts& counts) const {
+        trace_paths(range, {radiance, {}, {}, {}}, counts);
+    }
+
+    // Follows a sample again whose radiance was NaN, to see where that came from.
+    virtual PathFault find_fault(int /*x*/, int /*y*/, int /*sample*/) const { return {}; }
 };
 
 }  // namespace lancer

@@ -46,6 +46,13 @@ enum class Encoding { automatic, linear, srgb };  // automatic: 8- and 16-bit in
 // reads images is not installed.
 Image read_image(const std::string& path, Encoding encoding = Encoding::automatic);
 
+// The same as the file has it: nothing is decoded. Integers of `bits` bits, 8 or 16, come as n / (2^bits - 1); floats have 0 bits.
+struct StoredPixels {
+    Image image;
+    int bits = 0;
+};
+StoredPixels read_stored_pixels(const std::string& path);
+
 // The sRGB transfer curve [IEC 61966-2-1], both ways, for one value; not clipped, straight below zero.
 float srgb_encode(float linear);
 float srgb_decode(float encoded);

@@ -37,6 +37,12 @@ const Channel* find_channel(const LayeredImage& image, std::string_view name) {
     return nullptr;
 }
 
+std::string spectral_channel(int bin, int count) {
+    std::string middle = fmt::format("{:.6f}", 360.0 + (bin + 0.5) * (830.0 - 360.0) / count);
+    middle[middle.find('.')] = ',';
+    return "S0." + middle + "nm";
+}
+
 Image picture_of(const LayeredImage& image, const std::vector<std::string>& names) {
     assert(!names.empty() && names.size() <= 4);
     const std::size_t count = names.size();

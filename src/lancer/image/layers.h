@@ -33,6 +33,9 @@ struct LayeredImage {
 // Null when there is none of this name.
 const Channel* find_channel(const LayeredImage& image, std::string_view name);
 
+// The channel of one of `count` even parts of the visible, 360 to 830 nm, by its middle: "S0.594,500000nm".
+std::string spectral_channel(int bin, int count);
+
 // The channels `names` (one to four) interleaved; missing ones are filled with zeros.
 Image picture_of(const LayeredImage& image, const std::vector<std::string>& names);
 

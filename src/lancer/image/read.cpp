@@ -69,22 +69,17 @@ Image make_image(const Header& header, std::uint64_t file_bytes) {
     return image;
 }
 
-struct StoredImage {
-    Image image;  // as stored
-    int bits = 0;
-};
-
-StoredImage read_png(const std::string& path, std::uint64_t file_bytes) {
+StoredPixels read_png(const std::string& path, std::uint64_t file_bytes) {
     PngReader reader(path);
     const auto area = static_cast<std::uint64_t>(reader.width()) * static_cast<std::uint64_t>(reader.height());
     const Header header{reader.width(), reader.height(), reader.channels(), reader.bits(),
                         area * static_cast<std::uint64_t>(reader.channels() * reader.bits() / 8)};
-    StoredImage result{make_image(header, file_bytes), header.bits};
+    StoredPixels result{make_image(header, file_bytes), header.bits};
     reader.read(result.image.pixels.data());
     return result;
 }
 
-StoredImage read_by_module(const std::string& path, const std::string& format, std::uint64_t file_bytes) {
+StoredPixels read_by_module(const std::string& path, const std::string& format, std::uint64_t file_bytes) {
     if (format == "openexr" && !exr_attributes_fit(path, file_bytes)) {
         throw std::runtime_error("broken OpenEXR file: its header claims more bytes than the file has");
     }
@@ -97,7 +92,7 @@ StoredImage read_by_module(const std::string& path, const std::string& format, s
         throw std::runtime_error(reason);
     }
     const Header header{found.width, found.height, found.channels, found.bits, found.stored};
-    StoredImage result{make_image(header, file_bytes), header.bits};
+    StoredPixels result{make_image(header, file_bytes), header.bits};
     if (!module.read(reader.get(), result.image.pixels.data(), &reason, append)) {
         throw std::runtime_error(reason);
     }
@@ -159,11 +154,10 @@ Image read_image(const std::string& path, Encoding encoding) {
     return read_image(path, encoding, encoded);
 }
 
-Image read_image(const std::string& path, Encoding encoding, bool& encoded) {
+StoredPixels read_stored_pixels(const std::string& path) {
     const FoundImage found = find_image(path);
-    StoredImage stored;
     try {
-        stored = found.format == "png" ? read_png(path, found.bytes) : read_by_module(path, found.format, found.bytes);
+        return found.format == "png" ? read_png(path, found.bytes) : read_by_module(path, found.format, found.bytes);
     } catch (const std::bad_alloc&) {
         fail_to_read(path, "there is not enough memory for it");
     } catch (const MachineFailure& failure) {
@@ -171,6 +165,10 @@ Image read_image(const std::string& path, Encoding encoding, bool& encoded) {
     } catch (const std::exception& error) {
         fail_to_read(path, error.what());
     }
+}
+
+Image read_image(const std::string& path, Encoding encoding, bool& encoded) {
+    StoredPixels stored = read_stored_pixels(path);
     encoded = encoding == Encoding::srgb || (encoding == Encoding::automatic && (stored.bits == 8 || stored.bits == 16));
     if (encoded) {
         decode_srgb(stored.image, stored.bits);

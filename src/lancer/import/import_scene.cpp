@@ -7,6 +7,7 @@
 #include "lancer/base/file.h"
 #include "lancer/import/default_view.h"
 #include "lancer/import/import.h"
+#include "lancer/import/pbrt/pbrt.h"
 #include "lancer/import/reader.h"
 
 namespace lancer {
@@ -40,6 +41,7 @@ struct Format {
 constexpr std::array formats = {
     Format{".obj", read_mesh_alone},
     Format{".ply", read_mesh_alone},
+    Format{".pbrt", read_pbrt},
 };
 
 }  // namespace

@@ -62,7 +62,7 @@ FN Vec2 cube_uv(Vec3 p, Vec3 n) {
 }
 
 FN SurfacePoint box_surface(IN(BoxRecord) box, IN(Ray) ray, Float t) {
-    SurfacePoint s;
+    SurfacePoint s = no_surface();
     Vec3 low = broadcast(box.low);
     Vec3 high = broadcast(box.high);
     // The face's own coordinate is exact. Coming back, low - origin rounds by half an ulp of either.

@@ -39,6 +39,20 @@ FN Ray lens_ray(IN(CameraRecord) camera, Float x, Float y, Vec2 lens) {
 // Through the middle of the lens.
 FN Ray camera_ray(IN(CameraRecord) camera, Float x, Float y) { return lens_ray(camera, x, y, vec2_of(Float(0.0f), Float(0.0f))); }
 
+// What one pixel sees: the width of its beam at the camera in metres, and by how much it grows a metre.
+FN Vec2 pixel_beam(IN(CameraRecord) camera, Float x, Float y) {
+    Vec2 beam = vec2_of(Float(0.0f), Float(0.0f));
+    if (camera.kind == CAMERA_PERSPECTIVE) {
+        Vec3 towards = broadcast(camera.corner) + broadcast(camera.step_x) * x + broadcast(camera.step_y) * y;
+        beam.y = length(broadcast(camera.step_x)) / length(towards);
+    } else if (camera.kind == CAMERA_ORTHOGRAPHIC) {
+        beam.x = length(broadcast(camera.step_x));
+    } else {
+        beam.y = Float(PI / camera.height);
+    }
+    return beam;
+}
+
 NAMESPACE_END
 
 #endif

@@ -24,6 +24,17 @@ FN Frame frame_around(Vec3 normal) {
     return f;
 }
 
+// With x as near to `along` as can be; any where that is 0 or along the normal.
+FN Frame frame_along(Vec3 normal, Vec3 along) {
+    Frame f = frame_around(normal);
+    Vec3 x = along - normal * dot(normal, along);
+    Float size = dot(x, x);
+    Mask good = size > Float(1.0e-6f) * dot(along, along);
+    f.x = select(good, x / sqrt(max(size, Float(SMALLEST))), f.x);
+    f.y = select(good, cross(normal, f.x), f.y);
+    return f;
+}
+
 FN Vec3 to_local(IN(Frame) frame, Vec3 v) { return vec3_of(dot(v, frame.x), dot(v, frame.y), dot(v, frame.z)); }
 
 FN Vec3 to_world(IN(Frame) frame, Vec3 v) { return frame.x * v.x + frame.y * v.y + frame.z * v.z; }

@@ -13,6 +13,12 @@ struct LightSample {
     Float share;  // 0 outside a spot's cone, 1 in its middle; distance does not dim a light of the report
 };
 
+// Of a spot's light at an angle of this cosine from its axis: 1 within the inner cone, 0 outside the outer one, smooth between them.
+FN Float spot_share(Float cosine, float cos_outer, float cos_inner) {
+    Float x = clamp01((cosine - Float(cos_outer)) / Float(cos_inner - cos_outer));
+    return x * x * (Float(3.0f) - Float(2.0f) * x);
+}
+
 FN LightSample sample_light(IN(LightRecord) light, Vec3 from) {
     LightSample s;
     s.direction = broadcast(-light.direction);
@@ -25,8 +31,7 @@ FN LightSample sample_light(IN(LightRecord) light, Vec3 from) {
     }
     if (light.kind == LIGHT_SPOT) {
         Float cosine = -dot(s.direction, broadcast(light.direction));
-        Float x = clamp01((cosine - Float(light.cos_outer)) / Float(light.cos_inner - light.cos_outer));
-        s.share = x * x * (Float(3.0f) - Float(2.0f) * x);
+        s.share = spot_share(cosine, light.cos_outer, light.cos_inner);
     }
     return s;
 }

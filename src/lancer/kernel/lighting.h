@@ -2,26 +2,20 @@
 #ifndef LANCER_KERNEL_LIGHTING_H
 #define LANCER_KERNEL_LIGHTING_H
 
+#include "lancer/kernel/emitter/sky.h"
 #include "lancer/kernel/intersect.h"
 #include "lancer/kernel/light.h"
 #include "lancer/kernel/refraction.h"
 #include "lancer/kernel/surface.h"
+#include "lancer/kernel/tally.h"
 
 NAMESPACE_BEGIN
 
 const int SHADOW_SURFACES = 32;  // that light may pass through on its way
 
-struct RayTally {
-    int camera;
-    int secondary;
-    int shadow;
-};
-
-FN Vec3 background(IN(WorldRecord) world, Vec3 direction) {
-    Float up = direction.y;
-    Vec3 above = broadcast(world.horizon) + (broadcast(world.zenith) - broadcast(world.horizon)) * max(up, Float(0.0f));
-    Vec3 below = broadcast(world.horizon) + (broadcast(world.nadir) - broadcast(world.horizon)) * max(-up, Float(0.0f));
-    return select(up < Float(0.0f), below, above);
+FN Vec3 background(IN(WorldRecord) world, Vec3 direction, Mask mask) {
+    Spectrum sky = sky_radiance(world, direction, vec4_all(Float(D_LINE)), mask);
+    return vec3_of(sky.x, sky.y, sky.z);
 }
 
 // How much of a lamp's light arrives through transparent bodies, which dim it and do not bend it on this way. `start`: what the ray's origin is

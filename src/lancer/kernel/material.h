@@ -2,9 +2,10 @@
 #ifndef LANCER_KERNEL_MATERIAL_H
 #define LANCER_KERNEL_MATERIAL_H
 
-#include "lancer/kernel/bsdf/closure.h"
+#include "lancer/kernel/bsdf/visible_color.h"
+#include "lancer/kernel/inputs.h"
 #include "lancer/kernel/refraction.h"
-#include "lancer/kernel/surface.h"
+#include "lancer/kernel/relief.h"
 #include "lancer/kernel/upsample.h"
 
 NAMESPACE_BEGIN
@@ -15,16 +16,28 @@ FN Spectrum smooth_spectrum(Vec3 coefficients, Vec4 nanometres) {
                    sigmoid_polynomial(coefficients, nanometres.z), sigmoid_polynomial(coefficients, nanometres.w));
 }
 
-FN Spectrum rgb_value(Vec3 rgb) { return vec4_of(rgb.x, rgb.y, rgb.z, Float(0.0f)); }
+// Light has no most that it can be: its shape is that of a reflectance, its size stands beside it. To be multiplied by the illuminant.
+FN Spectrum light_of_rgb(IN(WorldRecord) world, Vec3 rgb, Vec4 nanometres, Mask mask) {
+    Spectrum light = rgb_value(rgb);
+    if (world.spectral != 0) {
+        Float size = emission_scale(rgb);
+        Vec3 shape = rgb / max(size, Float(SMALLEST));
+        light = smooth_spectrum(reflectance_coefficients(world.upsampling, shape, mask), nanometres) * size;
+    }
+    return light;
+}
 
 // A colour of the scene at a point of a surface. Only lanes of `mask` need an answer.
 FN Spectrum color_value(IN(WorldRecord) world, IN(ColorRecord) color, IN(SurfacePoint) point, Vec4 nanometres, Mask mask) {
     Spectrum value = rgb_value(broadcast(color.rgb));
     if (color.texture >= 0) {
         TextureRecord texture = AT(world.textures, color.texture);
-        Vec3 rgb = texture_color(world, texture, point.local, point.local_in, point.uv, mask);
+        Vec4 seen = texture_color(world, texture, point, mask);
+        Vec3 rgb = vec3_of(seen.x, seen.y, seen.z);
         if (world.spectral != 0) {
-            value = smooth_spectrum(reflectance_coefficients(world.upsampling, rgb, mask), nanometres) * Float(color.scale);
+            value = color.illuminant >= 0 ? light_of_rgb(world, rgb, nanometres, mask)
+                                          : smooth_spectrum(reflectance_coefficients(world.upsampling, rgb, mask), nanometres);
+            value = value * Float(color.scale);
         } else {
             value = rgb_value(rgb) * Float(color.scale);
         }
@@ -49,6 +62,8 @@ struct PathVertex {
     Int material;
     Int emitter;  // -1: none
     Mask inside;  // the path comes from within
+    Vec3 albedo;  // linear RGB; this and `uv` where `world.watched`
+    Vec2 uv;
 };
 
 FN PathVertex no_vertex() {
@@ -59,23 +74,12 @@ FN PathVertex no_vertex() {
     v.material = Int(-1);
     v.emitter = Int(-1);
     v.inside = Float(1.0f) < Float(0.0f);
+    v.albedo = vec3_all(Float(0.0f));
+    v.uv = vec2_of(Float(0.0f), Float(0.0f));
     return v;
 }
 
 FN Mask all_or_none(bool yes) { return Float(yes ? 1.0f : 0.0f) > Float(0.5f); }
-
-// Of a film on the surface, over the wavelength; red, green and blue stand for one wavelength each.
-FN Spectrum film_thickness(IN(MaterialRecord) material, Vec4 nanometres, bool spectral) {
-    Spectrum film = black();
-    if (material.film_thickness > 0.0f) {
-        Vec4 at = nanometres;
-        if (!spectral) {
-            at = vec4_of(Float(611.0f), Float(549.0f), Float(464.0f), Float(549.0f));
-        }
-        film = vec4_all(Float(material.film_thickness)) / at;
-    }
-    return film;
-}
 
 FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) point, Vec4 nanometres, Mask mask) {
     Closure c = no_closure();
@@ -102,32 +106,85 @@ FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, 
         c.coat_index = Float(material.coat_index);
         c.sheen_roughness = Float(material.sheen_roughness);
         c.film_index = Float(material.film_index);
-        c.film = film_thickness(material, nanometres, world.spectral != 0);
-        c.thin = all_or_none((material.flags & MATERIAL_THIN) != 0);
-        if (material.detail > 0) {
-            TextureRecord texture = AT(world.textures, material.detail - 1);
-            Vec3 detail = texture_color(world, texture, point.local, point.local_in, point.uv, mask);
-            // The texture scales the roughness that people speak of, the root of alpha.
-            c.roughness_x = c.roughness_x * detail.y * detail.y;
-            c.roughness_y = c.roughness_y * detail.y * detail.y;
-            c.metalness = c.metalness * detail.z;
+        if (material.film_thickness > 0.0f) {
+            c.film = film_thickness(Float(material.film_thickness), nanometres, world.spectral != 0);
         }
+        c.thin = all_or_none((material.flags & MATERIAL_THIN) != 0);
+    }
+    if (material.input_count > 0) {
+        take_inputs(world, material, point, nanometres, mask, c);
     }
     return c;
 }
 
+// The point with everything that a material's textures may ask for. `width`: diameter of the path's beam there, in metres.
+FN SurfacePoint textured_surface(IN(WorldRecord) world, IN(ObjectRecord) object, int flags, IN(Ray) ray, IN(Hit) hit, Float width,
+                                 Mask mask) {
+    SurfacePoint s = object_surface(world, object, ray, hit, mask);
+    if (object.kind == OBJECT_SPHERE) {
+        s.uv = sphere_uv(s.normal);
+    }
+    if ((flags & MATERIAL_MAPPED) != 0) {
+        find_mapping(world, object, ray, hit, width, mask, s);
+    }
+    if ((flags & MATERIAL_TINTED) != 0) {
+        find_mesh_colors(world, object, hit, mask, s);
+    }
+    return s;
+}
+
+// As seen from the other end of the ray.
+FN Vec3 material_albedo(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) point, Vec3 direction, Vec4 nanometres,
+                        Mask mask) {
+    WorldRecord in_rgb = world;
+    in_rgb.spectral = 0;
+    Spectrum color = visible_color(material_closure(in_rgb, material, point, nanometres, mask), abs(dot(point.shading, direction)));
+    return vec3_of(color.x, color.y, color.z);
+}
+
+// The point alone. Light that is met by itself must be the same as where it is asked for, whatever the width of the beam.
+FN SurfacePoint without_patch(IN(SurfacePoint) point) {
+    SurfacePoint s = point;
+    s.across = vec2_of(Float(0.0f), Float(0.0f));
+    s.down = s.across;
+    s.second_across = s.across;
+    s.second_down = s.across;
+    s.local_across = vec3_all(Float(0.0f));
+    s.local_down = s.local_across;
+    return s;
+}
+
+// What the lanes of `mine` find of one material at their points.
+FN void take_material(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) s, Vec3 direction, Mask inside, Vec4 nanometres,
+                      Mask mine, INOUT(PathVertex) vertex) {
+    Closure c = material_closure(world, material, s, nanometres, mine);
+    if ((material.flags & MATERIAL_ONE_SIDED) != 0) {
+        c.kind = select(inside, Int(BSDF_NONE), c.kind);
+    }
+    vertex.closure = select_closure(mine, c, vertex.closure);
+    if ((material.flags & MATERIAL_RELIEF) != 0) {
+        vertex.point.shading = select(mine, bent_normal(world, material, s, mine), vertex.point.shading);
+    }
+    if ((material.flags & MATERIAL_TURNED) != 0) {
+        vertex.point.along_u = select(mine, s.along_u, vertex.point.along_u);
+    }
+    if (world.watched != 0) {
+        vertex.albedo = select(mine, material_albedo(world, material, s, direction, nanometres, mine), vertex.albedo);
+        vertex.uv = vec2_of(select(mine, s.uv.x, vertex.uv.x), select(mine, s.uv.y, vertex.uv.y));
+    }
+}
+
 // Lanes that hit the same object are done together. Indices of clear borders are not found here: they need to know what the path is inside of.
-FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Vec4 nanometres, Mask here, INOUT(PathVertex) vertex) {
+// `width`: diameter of the path's beam where it meets them, in metres. `choice` in [0, 1) chooses from mixed materials.
+FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Float width, Float choice, Vec4 nanometres, Mask here,
+                    INOUT(PathVertex) vertex) {
     Mask todo = here;
     while (some(todo)) {
         int number = first_of(hit.object, todo);
         Mask mine = both(todo, is_equal(hit.object, Int(number)));
         ObjectRecord object = AT(world.objects, number);
         MaterialRecord material = AT(world.surfaces, object.material);
-        SurfacePoint s = object_surface(world, object, ray, hit, mine);
-        if (object.kind == OBJECT_SPHERE) {
-            s.uv = sphere_uv(s.normal);
-        }
+        SurfacePoint s = textured_surface(world, object, material.flags, ray, hit, width, mine);
         Mask inside = dot(s.normal, ray.direction) > Float(0.0f);
         vertex.point.position = select(mine, s.position, vertex.point.position);
         vertex.point.error = select(mine, s.error, vertex.point.error);
@@ -141,13 +198,20 @@ FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Vec4 nanome
             if ((material.flags & MATERIAL_EMITS_BEHIND) == 0) {
                 shines = without(mine, inside);
             }
-            vertex.emission = select(shines, color_value(world, material.emission, s, nanometres, shines), vertex.emission);
+            vertex.emission = select(shines, color_value(world, material.emission, without_patch(s), nanometres, shines), vertex.emission);
         }
-        Closure c = material_closure(world, material, s, nanometres, mine);
-        if ((material.flags & MATERIAL_ONE_SIDED) != 0) {
-            c.kind = select(inside, Int(BSDF_NONE), c.kind);
+        if ((material.flags & MATERIAL_CHOOSES) != 0) {
+            Int chosen = choose_material(world, object.material, s, inside, choice, mine);
+            Mask waiting = mine;
+            while (some(waiting)) {
+                int which = first_of(chosen, waiting);
+                Mask these = both(waiting, is_equal(chosen, Int(which)));
+                take_material(world, AT(world.surfaces, which), s, ray.direction, inside, nanometres, these, vertex);
+                waiting = without(waiting, these);
+            }
+        } else {
+            take_material(world, material, s, ray.direction, inside, nanometres, mine, vertex);
         }
-        vertex.closure = select_closure(mine, c, vertex.closure);
         todo = without(todo, mine);
     }
 }

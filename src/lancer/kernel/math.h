@@ -92,6 +92,13 @@ FN Vec2 on_circle(Float turn) {
     return vec2_of(select(turned, -x, x), select(turned, -y, y));
 }
 
+// From 0 to 1 and 0 to 1, steep at both ends: even steps of the result are small steps of `v` there.
+FN Float to_even_ends(Float v) {
+    Float lower = sqrt(max(Float(0.5f) * v, Float(0.0f)));
+    Float upper = Float(1.0f) - sqrt(max(Float(0.5f) - Float(0.5f) * v, Float(0.0f)));
+    return select(v < Float(0.5f), lower, upper);
+}
+
 NAMESPACE_END
 
 #endif

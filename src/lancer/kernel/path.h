@@ -6,11 +6,13 @@
 
 #include "lancer/kernel/bsdf/bsdf.h"
 #include "lancer/kernel/camera.h"
-#include "lancer/kernel/emitter.h"
+#include "lancer/kernel/cuts.h"
+#include "lancer/kernel/emitter/emitter.h"
 #include "lancer/kernel/intersect.h"
-#include "lancer/kernel/lighting.h"
+#include "lancer/kernel/medium.h"
 #include "lancer/kernel/pixel_filter.h"
 #include "lancer/kernel/sampler.h"
+#include "lancer/kernel/tally.h"
 #include "lancer/kernel/warp.h"
 
 NAMESPACE_BEGIN
@@ -24,9 +26,13 @@ struct PathState {
     Spectrum radiance;  // found so far
     Float weight;       // of it in the pixel: of the filter, and so maybe negative
     Vec4 nanometres;
+    Vec3 facing;    // normal of the surface that it left, where nothing comes through that; else 0
     Float density;  // with which `direction` was drawn; 0: it could not have been found by asking an emitter
     Float squeeze;  // product of squared indices by which radiance was squeezed together, left out of Russian roulette
+    Float width;    // of the beam where it starts: a diameter, in metres
+    Float spread;   // by which it grows a metre
     Sampler numbers;
+    UInt scattered;  // how often, by kind: eleven bits for diffuse, eleven for glossy, ten for transmission
     Media media;
     Mask alive;
 };
@@ -52,8 +58,17 @@ FN PathState start_path(IN(WorldRecord) world, Float pixel_x, Float pixel_y, UIn
         Vec2 u = sample_pair(path.numbers, UInt(uint(DECISION_WAVELENGTH)));
         path.nanometres = wavelengths_at(world, u.x, alive);
     }
+    path.facing = vec3_all(Float(0.0f));
     path.density = Float(0.0f);
     path.squeeze = Float(1.0f);
+    path.scattered = UInt(0u);
+    path.width = Float(0.0f);
+    path.spread = Float(0.0f);
+    if (world.beam > 0.0f) {
+        Vec2 beam = pixel_beam(world.camera, pixel_x, pixel_y);
+        path.width = beam.x * Float(world.beam);
+        path.spread = beam.y * Float(world.beam);
+    }
     path.media = no_media();
     path.alive = alive;
     return path;
@@ -65,6 +80,38 @@ FN Float power_heuristic(Float a, Float b) {
     return a2 / max(a2 + b * b, Float(SMALLEST));
 }
 
+// Of light that is met in a direction drawn with `density`, where asking would have found it with density `asked`.
+FN Float met_weight(IN(WorldRecord) world, Float density, Float asked) {
+    Float weight = power_heuristic(density, asked);
+    if (world.ways == WAYS_EMITTER) {
+        weight = select(asked > Float(0.0f), Float(0.0f), Float(1.0f));
+    } else if (world.ways == WAYS_BSDF) {
+        weight = Float(1.0f);
+    }
+    return weight;
+}
+
+// Of light that is asked for with density `asked`, where chance finds it with `density`; divided by the density.
+FN Float asked_weight(IN(WorldRecord) world, Float asked, Float density, Mask discrete) {
+    Float weight = select(discrete, Float(1.0f), power_heuristic(asked, density));
+    if (world.ways == WAYS_EMITTER) {
+        weight = Float(1.0f);
+    }
+    return weight / asked;
+}
+
+// ---- How often paths may be scattered. ---------------------------------------------------------------------------------------------------
+
+const uint ONE_GLOSSY = 2048u;
+const uint ONE_TRANSMISSION = 4194304u;
+
+FN Mask may_scatter(IN(WorldRecord) world, UInt scattered, Mask matt, Mask transmits) {
+    Mask diffuse = is_above(Int(world.limits.diffuse), as_signed(scattered & UInt(2047u)));
+    Mask glossy = is_above(Int(world.limits.glossy), as_signed((scattered >> 11) & UInt(2047u)));
+    Mask through = is_above(Int(world.limits.transmission), as_signed(scattered >> 22));
+    return select_mask(transmits, through, select_mask(matt, diffuse, glossy));
+}
+
 FN Vec2 decide(IN(PathState) path, int depth, int decision) {
     return sample_pair(path.numbers, UInt(uint(DECISION_BOUNCES + depth * DECISIONS_A_BOUNCE + decision)));
 }
@@ -72,23 +119,25 @@ FN Vec2 decide(IN(PathState) path, int depth, int decision) {
 // ---- Light that a path meets by itself. -------------------------------------------------------------------------------------------------
 
 FN void meet_surroundings(IN(WorldRecord) world, Mask missed, INOUT(PathState) path) {
-    Spectrum sky = environment_radiance(world, path.direction, path.nanometres, missed);
-    Float asked = emitter_chance(world, path.origin, Int(world.environment), missed) * Float(0.25f / PI);
-    Float weight = select(path.density > Float(0.0f), power_heuristic(path.density, asked), Float(1.0f));
+    Spectrum sky = sky_radiance(world, path.direction, path.nanometres, missed);
+    Float asked =
+        emitter_chance(world, path.origin, path.facing, Int(world.environment), missed) * sky_density(world, path.direction, missed);
+    Float weight = select(path.density > Float(0.0f), met_weight(world, path.density, asked), Float(1.0f));
     path.radiance = select(missed, path.radiance + path.throughput * sky * weight, path.radiance);
 }
 
-FN void meet_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, Mask shining, INOUT(PathState) path) {
+// `part`: the triangle of a mesh.
+FN void meet_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, Int part, Mask shining, INOUT(PathState) path) {
     Float weight = Float(1.0f);
     Mask compared = both(both(shining, path.density > Float(0.0f)), is_above(vertex.emitter, Int(-1)));
     if (some(compared)) {
-        Float chance = emitter_chance(world, path.origin, vertex.emitter, compared);
+        Float chance = emitter_chance(world, path.origin, path.facing, vertex.emitter, compared);
         Mask todo = compared;
         while (some(todo)) {
             int number = first_of(vertex.emitter, todo);
             Mask mine = both(todo, is_equal(vertex.emitter, Int(number)));
-            Float asked = emitter_density(world, AT(world.emitters, number), path.origin, path.direction, vertex.point);
-            weight = select(mine, power_heuristic(path.density, asked * chance), weight);
+            Float asked = emitter_density(world, AT(world.emitters, number), path.origin, path.direction, vertex.point, part, mine);
+            weight = select(mine, met_weight(world, path.density, asked * chance), weight);
             todo = without(todo, mine);
         }
     }
@@ -97,10 +146,10 @@ FN void meet_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, Mask shining,
 
 // ---- Light that is asked for. ------------------------------------------------------------------------------------------------------------
 
-// Of one emitter, at a point seen from `wo` (in `frame`).
-FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) frame, Vec3 normal, Vec3 wo, Float choice, Vec2 u, Mask asking,
-                    INOUT(PathState) path, INOUT(RayTally) tally) {
-    EmitterChoice chosen = choose_emitter(world, vertex.point.position, choice, asking);
+// Of one emitter, at a point seen from `wo` (in `frame`). `front` and `behind`: the media on the path's side of the surface and on the other.
+FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) frame, Vec3 normal, Vec3 facing, Vec3 wo, Int front, Int behind,
+                    Float choice, Vec2 u, Mask asking, INOUT(PathState) path, INOUT(RayTally) tally) {
+    EmitterChoice chosen = choose_emitter(world, vertex.point.position, facing, choice, asking);
     Mask going = both(both(asking, is_above(chosen.emitter, Int(-1))), chosen.chance > Float(0.0f));
     Ray shadow;
     shadow.origin = vertex.point.position;
@@ -122,7 +171,8 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
         // From just off this surface to just before the other.
         Vec3 start = leave_surface(vertex.point.position, vertex.point.error, normal, s.direction);
         // A ray's own rounding puts it off its line by some units for each unit of length, and so the distance to a plane.
-        Vec3 end = leave_surface(s.target, s.error + vec3_all(s.distance * Float(8.0f * ROUNDING)), s.normal, -s.direction);
+        Vec3 end =
+            leave_surface(s.point.position, s.point.error + vec3_all(s.distance * Float(8.0f * ROUNDING)), s.point.normal, -s.direction);
         Vec3 way = end - start;
         Float reach = length(way);
         Mask far = s.distance >= Float(FAR);
@@ -138,55 +188,26 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
         // Through a surface only where both its normals agree that it is through.
         Mask agree = (wi.z * dot(normal, shadow.direction)) > Float(0.0f);
         going = without(both(going, agree), is_black(value.value));
+        if (world.limits.limited != 0) {
+            going = both(going, may_scatter(world, path.scattered, is_matt(vertex.closure), wi.z < Float(0.0f)));
+        }
         if (some(going)) {
             tally.shadow += lanes_in(going);
-            Mask hidden = occluded(world, shadow, going);
-            Mask lit = without(going, hidden);
+            Float passes = passing_light(world, shadow, going);
+            Mask lit = both(going, passes > Float(0.0f));
+            if (world.has_transparency != 0) {
+                Mask near = both(lit, shadow.reach < Float(FAR));
+                Int medium = select(wi.z > Float(0.0f), front, behind);
+                light = light * left_of_light(world, medium, shadow.reach, path.nanometres, near);
+            }
             Float asked = density * chosen.chance;
-            Float weight = select(discrete, Float(1.0f), power_heuristic(asked, value.density)) / asked;
-            path.radiance = select(lit, path.radiance + path.throughput * value.value * light * weight, path.radiance);
+            Float weight = asked_weight(world, asked, value.density, discrete);
+            path.radiance = select(lit, path.radiance + path.throughput * value.value * light * (weight * passes), path.radiance);
         }
     }
 }
 
-// ---- Inside of bodies. -------------------------------------------------------------------------------------------------------------------
-
-FN Float raised(Float clearness, Float exponent) { return power(max(clearness, Float(0.0f)), exponent); }
-
-// What bodies swallow along a way through them.
-FN Spectrum left_of_light(IN(WorldRecord) world, Int material, Float distance, Vec4 nanometres, Mask alive) {
-    Spectrum left_over = vec4_all(Float(1.0f));
-    Mask todo = both(alive, is_above(material, Int(-1)));
-    while (some(todo)) {
-        int number = first_of(material, todo);
-        Mask mine = both(todo, is_equal(material, Int(number)));
-        MaterialRecord body = AT(world.surfaces, number);
-        if (body.clear_distance > 0.0f) {
-            SurfacePoint nowhere = no_surface();
-            Spectrum clear = color_value(world, body.clearness, nowhere, nanometres, mine);
-            Float exponent = distance * Float(1.0f / body.clear_distance);
-            Spectrum passes =
-                vec4_of(raised(clear.x, exponent), raised(clear.y, exponent), raised(clear.z, exponent), raised(clear.w, exponent));
-            left_over = select(mine, passes, left_over);
-        }
-        todo = without(todo, mine);
-    }
-    return left_over;
-}
-
-FN Mask is_dispersive(IN(WorldRecord) world, Int material, Mask alive) {
-    Mask disperses = without(alive, alive);
-    Mask todo = both(alive, is_above(material, Int(-1)));
-    while (some(todo)) {
-        int number = first_of(material, todo);
-        Mask mine = both(todo, is_equal(material, Int(number)));
-        if (AT(world.media, number).dispersive != 0) {
-            disperses = either(disperses, mine);
-        }
-        todo = without(todo, mine);
-    }
-    return disperses;
-}
+// ---- Borders of bodies. ------------------------------------------------------------------------------------------------------------------
 
 // The relative index of a clear border, at each wavelength, and the media beyond.
 FN void find_border(IN(WorldRecord) world, IN(PathState) path, Mask clear, Mask thin, INOUT(PathVertex) vertex, INOUT(Media) beyond) {
@@ -212,10 +233,25 @@ FN void find_border(IN(WorldRecord) world, IN(PathState) path, Mask clear, Mask 
     vertex.closure.index = select(clear, eta, vertex.closure.index);
 }
 
+// A direction drawn with that density stands for its share of all directions: a cone of the solid angle 1 / density. The beam takes part of its
+// width, so that distant textures are looked up in small copies, and what is lost of them is finer than the light that they scatter can show.
+const float SCATTERED_SHARE = 0.125f;
+
+FN Float scattered_spread(Float density) {
+    return select(density > Float(0.0f), Float(2.0f * SCATTERED_SHARE) / sqrt(max(density, Float(1.0e-3f)) * Float(PI)), Float(0.0f));
+}
+
+// What one step met. Filled where `world.watched`.
+struct Sight {
+    Hit hit;
+    PathVertex vertex;
+    Spectrum met;  // the radiance found so far, but for light that was asked for from this vertex
+};
+
 // ---- One vertex --------------------------------------------------------------------------------------------------------------------------
 
 // From the path's ray to the next one. `depth` counts the vertices before this one.
-FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path, INOUT(RayTally) tally) {
+FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path, INOUT(Sight) sight, INOUT(RayTally) tally) {
     if (depth == 0) {
         tally.camera += lanes_in(path.alive);
     } else {
@@ -225,35 +261,58 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
     ray.origin = path.origin;
     ray.direction = path.direction;
     ray.reach = Float(FAR);
-    Hit hit = closest_hit(world, ray, path.alive);
+    Float passed = Float(0.0f);
+    Hit hit = closest_there(world, path.numbers, DECISION_LAYERS + depth * DECISIONS_OF_LAYERS, path.alive, ray, passed);
     Mask here = both(path.alive, is_above(hit.object, Int(-1)));
     Mask missed = without(path.alive, here);
-    if (world.environment >= 0 && some(missed)) {
+    bool seen = depth > 0 || world.sky.visible != 0;
+    if (world.environment >= 0 && seen && some(missed)) {
         meet_surroundings(world, missed, path);
     }
     path.alive = here;
+    if (world.watched != 0) {
+        sight.hit = hit;
+        sight.hit.t = passed + hit.t;
+        sight.met = path.radiance;
+    }
     if (some(here)) {
         PathVertex vertex = no_vertex();
-        find_vertex(world, ray, hit, path.nanometres, here, vertex);
+        Float distance = passed + hit.t;
+        path.width = path.width + path.spread * distance;
+        Float which = Float(0.0f);
+        if (world.has_choices != 0) {
+            Vec2 u = decide(path, depth, DECISION_SURVIVAL);
+            which = u.y;
+        }
+        find_vertex(world, ray, hit, path.width, which, path.nanometres, here, vertex);
+        Mask thin = is_equal(vertex.closure.kind, Int(BSDF_THIN_DIELECTRIC));
+        Mask body = both(here, is_clear(vertex.closure));
+        Int front = path.media.first;
         if (world.has_transparency != 0) {
-            Int medium = medium_before(path.media, vertex.material, vertex.inside);
-            Spectrum left_over = left_of_light(world, select(vertex.inside, medium, path.media.first), hit.t, path.nanometres, here);
+            front = select(both(body, vertex.inside), medium_before(path.media, vertex.material, vertex.inside), front);
+            Spectrum left_over = left_of_light(world, front, distance, path.nanometres, here);
             path.throughput = path.throughput * left_over;
         }
         Mask shining = without(here, is_black(vertex.emission));
         if (some(shining)) {
-            meet_emitter(world, vertex, shining, path);
+            meet_emitter(world, vertex, hit.part, shining, path);
+        }
+        if (world.watched != 0) {
+            sight.vertex = vertex;
+            sight.met = path.radiance;
         }
 
         // The surface, turned to the path's side.
         Vec3 view = -ray.direction;
         Vec3 normal = select(vertex.inside, -vertex.point.normal, vertex.point.normal);
         Vec3 shading = select(vertex.inside, -vertex.point.shading, vertex.point.shading);
-        shading = select(dot(shading, view) > Float(0.0f), shading, normal);
+        shading = seen_normal(normal, shading, view);
         Frame frame = frame_around(shading);
+        if (world.has_directions != 0) {
+            frame = frame_along(shading, vertex.point.along_u);
+        }
         Vec3 wo = to_local(frame, view);
-        Mask thin = is_equal(vertex.closure.kind, Int(BSDF_THIN_DIELECTRIC));
-        Mask clear = both(here, either(is_clear(vertex.closure), thin));
+        Mask clear = either(body, both(here, thin));
         Mask sheet = either(thin, vertex.closure.thin);
         Media beyond = path.media;
         if (some(clear)) {
@@ -266,17 +325,30 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
         }
         if (some(going)) {
             Vec2 choice = decide(path, depth, DECISION_CHOICE);
+            Vec3 facing = select(is_opaque(vertex.closure), normal, vec3_all(Float(0.0f)));
             Mask asking = without(going, is_smooth(vertex.closure));
-            if (world.emitter_count > 0 && some(asking)) {
-                ask_emitter(world, vertex, frame, normal, wo, choice.x, decide(path, depth, DECISION_LIGHT), asking, path, tally);
+            if (world.emitter_count > 0 && world.ways != WAYS_BSDF && some(asking)) {
+                Int behind = select(sheet, front, beyond.first);
+                ask_emitter(world, vertex, frame, normal, facing, wo, front, behind, choice.x, decide(path, depth, DECISION_LIGHT), asking,
+                            path, tally);
             }
             BsdfSample next = bsdf_sample(world, vertex.closure, wo, choice.y, decide(path, depth, DECISION_DIRECTION), going);
             Vec3 direction = normalize(to_world(frame, next.wi));
             Float rises = dot(direction, normal);
             Mask right_side = either(both(next.transmits, rises < Float(0.0f)), without(rises > Float(0.0f), next.transmits));
             going = both(both(going, next.valid), right_side);
+            if (world.limits.limited != 0) {
+                Mask matt = is_matt(vertex.closure);
+                going = both(going, may_scatter(world, path.scattered, matt, next.transmits));
+                UInt one = select(next.transmits, UInt(ONE_TRANSMISSION), select(matt, UInt(1u), UInt(ONE_GLOSSY)));
+                path.scattered = path.scattered + one;
+            }
             path.throughput = path.throughput * next.weight;
             path.density = next.density;
+            path.facing = facing;
+            if (world.beam > 0.0f) {
+                path.spread = max(path.spread, scattered_spread(next.density));
+            }
             path.origin = leave_surface(vertex.point.position, vertex.point.error, normal, direction);
             path.direction = direction;
             Mask crosses = without(both(going, next.transmits), sheet);

@@ -34,6 +34,34 @@ const int MATERIAL_ONE_SIDED = 4;     // seen from within it is black
 const int MATERIAL_BECKMANN = 8;      // its facets follow Beckmann's distribution, else GGX
 const int MATERIAL_SATURATES = 16;    // plastic: light that the coat sends back to the body takes its colour once more
 const int MATERIAL_THIN = 32;         // principled: a sheet without inside; what goes through is not bent
+const int MATERIAL_MAPPED = 64;       // needs to know how uv lies on the surface
+const int MATERIAL_TINTED = 128;      // needs the colours of vertices or faces
+const int MATERIAL_TURNED = 256;      // has a direction on the surface: u
+const int MATERIAL_RELIEF = 512;      // its normals are bent by a texture
+const int MATERIAL_CHOOSES = 1024;    // is a mix, or has another material behind
+const int MATERIAL_CUT = 2048;        // is not there everywhere, see `opacity`
+
+// A number of a material that a texture gives: offset + scale * channel.
+const int INPUT_ROUGHNESS = 0;  // its square is alpha; rough diffuse surfaces take it as it is
+const int INPUT_ANISOTROPY = 1;
+const int INPUT_METALNESS = 2;
+const int INPUT_TRANSMISSION = 3;
+const int INPUT_COAT = 4;
+const int INPUT_COAT_ROUGHNESS = 5;
+const int INPUT_SHEEN_ROUGHNESS = 6;
+const int INPUT_FILM = 7;     // nanometres
+const int INPUT_OPACITY = 8;  // this and the rest: referred to by the record itself
+const int INPUT_SHARE = 9;
+const int INPUT_HEIGHT = 10;  // metres
+const int INPUT_KINDS = 11;
+
+struct InputRecord {
+    int kind;
+    int texture;
+    int channel;  // 0 to 3: red, green, blue, alpha
+    float scale;
+    float offset;
+};
 
 struct MaterialRecord {
     int kind;
@@ -55,7 +83,19 @@ struct MaterialRecord {
     float sheen_roughness;  // 0 to 1
     float film_thickness;   // nanometres of a film on it, 0: none
     float film_index;       // index of refraction of the film, 1.3
-    int detail;             // 1 + index of a texture whose green scales the roughness and whose blue the metalness; 0: none
+    int first_input;        // into inputs: what textures give instead, in the order of the kinds
+    int input_count;
+    int normal_map;        // 1 + texture; 0: none
+    vec2 normal_scale;     // of its first two channels; a negative second one turns them over
+    int height_input;      // 1 + input: bumps; 0: none
+    float opacity;         // the chance that a path meets it at all
+    int opacity_input;     // 1 + input, instead; 0: none
+    float opacity_cutoff;  // met always where the opacity is at least this, else never; 0: by chance
+    int behind;            // 1 + the material that is seen from within; 0: itself
+    int mix_first;         // 1 + a material; 0: no mix
+    int mix_second;        // 1 + the other one,
+    float mix_share;       // with this chance
+    int mix_input;         // 1 + input, instead; 0: none
 };
 
 const int EMITTER_POINT = 0;
@@ -76,7 +116,7 @@ struct EmitterRecord {
     int two_sided;
     ColorRecord light;  // radiant intensity, irradiance or radiance of lights that are no objects
     vec3 position;
-    vec3 direction;  // the way the light travels
+    vec3 direction;  // the way the light travels, length 1
     float cos_outer;
     float cos_inner;
     float strength;    // about the irradiance it makes: of the far ones as it is, of near ones at a distance of one metre
@@ -85,20 +125,49 @@ struct EmitterRecord {
     float area;        // in world space; of placed shapes in their own
     float side_share;  // of that area, the side of a cone
     float base_share;  // and its lower cap
-    int first_share;   // meshes: into distributions, triangle_count cumulative shares of the area
+    int first_share;   // meshes: into distributions, triangle_count cumulative shares of the area, or of the light where a texture makes it
     int share_count;
+    int planar;  // all of it lies in one plane; `direction` is its normal
+    int textured;
+    int first_density;  // textured meshes: into distributions, density per square metre on each triangle
 };
 
-// Depths beyond which a path ends, by what it does there.
+const int SKY_NONE = 0;
+const int SKY_EVEN = 1;      // `horizon` everywhere
+const int SKY_GRADIENT = 2;  // from below to above
+const int SKY_IMAGE = 3;
+
+// Where no object is. An image is `scale` times sky_texels, `height` rows of `width`, under the illuminant of `horizon`.
+struct SkyRecord {
+    int kind;
+    int visible;  // to the camera itself
+    ColorRecord zenith;
+    ColorRecord horizon;
+    ColorRecord nadir;
+    int width;
+    int height;
+    float turn;  // about +y, in full turns
+    float scale;
+    int first_share;  // into distributions: `height` cumulative shares of rows; for each row, `width` of its texels
+};
+
+// How often a path is scattered at most, by what the surface does; `limited` 0: as often as it likes. Passing through a surface is transmission;
+// what is sent back is diffuse or glossy as bsdf/bsdf.h has it.
 struct PathLimits {
+    int limited;
     int diffuse;
     int glossy;
     int transmission;
 };
 
+// Which of the two ways to a lamp's light are gone.
+const int WAYS_BOTH = 0;
+const int WAYS_EMITTER = 1;  // lamps are asked; what could have been asked and is met by itself does not count
+const int WAYS_BSDF = 2;     // lamps are met
+
 // One coordinate of a pixel's filter, to be drawn from: `filter_places` holds FILTER_STEPS + 1 places, in pixels from the pixel's middle, at even
-// steps of the share of the filter's absolute value.
-const int FILTER_STEPS = 1024;
+// steps of to_even_ends(share of the filter's absolute value): the ends hardly count, and have a shape of their own.
+const int FILTER_STEPS = 4096;
 
 struct FilterRecord {
     float negative_from;  // the filter is negative farther from the middle than this; FAR where it is not
@@ -109,7 +178,8 @@ RECORDS_END
 
 #ifdef __cplusplus
 namespace lancer::kernel {
-static_assert(sizeof(ColorRecord) == 40 && sizeof(MaterialRecord) == 260 && sizeof(EmitterRecord) == 132);
+static_assert(sizeof(ColorRecord) == 40 && sizeof(InputRecord) == 20 && sizeof(MaterialRecord) == 312 && sizeof(EmitterRecord) == 144 &&
+              sizeof(SkyRecord) == 148);
 }  // namespace lancer::kernel
 #endif
 

@@ -2,6 +2,7 @@
 #ifndef LANCER_KERNEL_PIXEL_FILTER_H
 #define LANCER_KERNEL_PIXEL_FILTER_H
 
+#include "lancer/kernel/math.h"
 #include "lancer/kernel/tables.h"
 
 NAMESPACE_BEGIN
@@ -13,7 +14,7 @@ struct FilterSample {
 };
 
 FN FilterSample sample_filter(IN(WorldRecord) world, Float u, Mask mask) {
-    Float at = u * Float(float(FILTER_STEPS));
+    Float at = to_even_ends(u) * Float(float(FILTER_STEPS));
     Int step = to_int(at);
     Float low = gather_float(world.filter_places, step, mask);
     Float high = gather_float(world.filter_places, step + Int(1), mask);

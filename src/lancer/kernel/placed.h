@@ -176,18 +176,31 @@ FN Vec3 placed_rounding(IN(PlacedRecord) shape) {
 // shape (each coordinate of the world may hold a share of three), and along the face by more where the shape is stretched.
 const float ROOM = 8.0f;
 
+// Of a point of a canonical shape; `n` is its normal there.
+FN Vec2 placed_uv(int kind, Vec3 p, Vec3 n) {
+    Vec2 uv = vec2_of(Float(0.0f), Float(0.0f));
+    if (kind == OBJECT_PLACED_SPHERE) {
+        uv = sphere_uv(n);
+    } else if (kind == OBJECT_PLACED_BOX) {
+        uv = cube_uv(p, n);
+    } else if (kind == OBJECT_PLACED_DISK) {
+        uv = vec2_of(p.x * Float(0.5f) + Float(0.5f), Float(0.5f) - p.z * Float(0.5f));
+    } else {
+        uv = vec2_of(angle_of(p.x, p.z) * Float(0.5f / PI) + Float(0.5f), p.y);
+    }
+    return uv;
+}
+
 FN SurfacePoint placed_surface(IN(PlacedRecord) shape, int kind, IN(Ray) ray, Float t) {
-    SurfacePoint s;
+    SurfacePoint s = no_surface();
     Vec3 o = apply_affine(shape.to_object, ray.origin);
     Vec3 d = apply_linear(shape.to_object, ray.direction);
     Vec3 p = o + d * t;
     Vec3 n = vec3_of(Float(0.0f), Float(1.0f), Float(0.0f));
     Vec3 rounding = placed_rounding(shape);
-    s.uv = vec2_of(Float(0.0f), Float(0.0f));
     if (kind == OBJECT_PLACED_SPHERE) {
         n = normalize(p);
         p = n;
-        s.uv = sphere_uv(n);
     } else if (kind == OBJECT_PLACED_BOX) {
         Vec3 one = vec3_all(Float(1.0f));
         Ray local_ray;
@@ -196,16 +209,14 @@ FN SurfacePoint placed_surface(IN(PlacedRecord) shape, int kind, IN(Ray) ray, Fl
         local_ray.reach = ray.reach;
         n = slab_normal(-one, one, local_ray, slab_reciprocal(d));
         p = onto_face(-one, one, rounding * Float(ROOM), n, p);
-        s.uv = cube_uv(p, n);
     } else if (kind == OBJECT_PLACED_DISK) {
         p = vec3_of(p.x, Float(0.0f), p.z);
-        s.uv = vec2_of(p.x * Float(0.5f) + Float(0.5f), Float(0.5f) - p.z * Float(0.5f));
     } else {
         ConePoint point = cone_point(shape, o, d, p, rounding * Float(ROOM));
         p = point.p;
         n = point.n;
-        s.uv = vec2_of(angle_of(p.x, p.z) * Float(0.5f / PI) + Float(0.5f), p.y);
     }
+    s.uv = placed_uv(kind, p, n);
     s.local = apply_affine(shape.to_author, p);
     s.local_in = -normalize(apply_linear(shape.to_author, n));
     s.position = apply_affine(shape.to_world, p);

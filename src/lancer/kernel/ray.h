@@ -32,7 +32,49 @@ struct SurfacePoint {
     Vec3 local;     // position in the author's space of the object, for solid textures
     Vec3 local_in;  // into the body there, about length 1: what lies under the point
     Vec2 uv;
+
+    // What mapping.h finds where a material asks for it.
+    Vec2 second_uv;
+    Vec3 along_u;  // how the point moves with u and with v: metres for each unit; 0: not known
+    Vec3 along_v;
+    Vec2 across;         // two diameters of the patch that the path's beam covers, in uv,
+    Vec2 down;           // at right angles on the surface
+    Vec2 second_across;  // the same in the second uv
+    Vec2 second_down;
+    Vec3 local_across;  // and in the author's space
+    Vec3 local_down;
+    Vec4 vertex_color;
+    Vec4 face_color;
 };
+
+// Two ways along a surface: d position / du and d position / dv, or the diameters of a patch.
+struct UvAxes {
+    Vec3 u;
+    Vec3 v;
+};
+
+FN SurfacePoint no_surface() {
+    SurfacePoint s;
+    s.position = vec3_all(Float(0.0f));
+    s.error = s.position;
+    s.normal = s.position;
+    s.shading = s.position;
+    s.local = s.position;
+    s.local_in = s.position;
+    s.uv = vec2_of(Float(0.0f), Float(0.0f));
+    s.second_uv = s.uv;
+    s.along_u = s.position;
+    s.along_v = s.position;
+    s.across = s.uv;
+    s.down = s.uv;
+    s.second_across = s.uv;
+    s.second_down = s.uv;
+    s.local_across = s.position;
+    s.local_down = s.position;
+    s.vertex_color = vec4_all(Float(1.0f));
+    s.face_color = s.vertex_color;
+    return s;
+}
 
 // 1 / direction with every zero made positive and every reciprocal finite, so that no slab test makes a NaN. A ray that lies in a face plane
 // is then inside on the low face and outside on the high one, for +0 and for -0: boxes are half open.

@@ -70,6 +70,10 @@ struct MeshRecord {
 };
 const int MESH_HAS_NORMALS = 1;
 const int MESH_HAS_UVS = 2;
+const int MESH_HAS_SECOND_UVS = 4;
+const int MESH_HAS_TANGENTS = 8;
+const int MESH_HAS_COLORS = 16;
+const int MESH_HAS_FACE_COLORS = 32;
 
 struct InstanceRecord {
     AffineRecord to_world;
@@ -94,10 +98,22 @@ const int TEXTURE_NONE = 0;
 const int TEXTURE_CHECKER_SOLID = 1;
 const int TEXTURE_CHECKER_UV = 2;
 const int TEXTURE_IMAGE = 3;
+const int TEXTURE_VERTEX_COLOR = 4;  // of the mesh, between its corners
+const int TEXTURE_FACE_COLOR = 5;    // of the mesh, one a triangle
 
 const int WRAP_REPEAT = 0;
 const int WRAP_CLAMP = 1;
 const int WRAP_MIRROR = 2;
+
+const int LOOK_NEAREST = 0;   // the texel under the point
+const int LOOK_BILINEAR = 1;  // between four texels
+const int LOOK_MIPMAPS = 2;   // the mean over what a path's beam covers of the surface, from smaller copies of the picture
+
+// How texels are stored, in `texels` (bytes, four to an int) or in `float_texels`.
+const int TEXELS_GREY8 = 0;
+const int TEXELS_RGBA8 = 1;
+const int TEXELS_GREY_FLOAT = 2;
+const int TEXELS_RGBA_FLOAT = 3;
 
 const int REFRACTION_CAUCHY = 0;     // n = a[0] + a[1] / nm^2; a constant index has a[1] = 0
 const int REFRACTION_SELLMEIER = 1;  // a = B1 B2 B3, b = C1 C2 C3 in square micrometres
@@ -107,14 +123,17 @@ struct TextureRecord {
     int kind;
     vec3 first;
     vec3 second;
-    float size;
-    int first_texel;  // into texels: rows from the top
-    int width;
-    int height;
-    int wrap;
-    int nearest;
-    vec2 scale;
-    vec2 offset;
+    float size;  // of a checker's cells
+    vec3 row_u;  // where the picture is looked up: (row_u . (u, v, 1), row_v . (u, v, 1))
+    vec3 row_v;
+    int uv_set;  // 0 or 1
+    int wrap_u;
+    int wrap_v;
+    int look;
+    int storage;
+    int encoded;      // 1: bytes of colours are decoded from sRGB
+    int first_level;  // into levels, three ints each: first texel (rows from the top), width, height; each half of the one before
+    int level_count;
 };
 
 struct WhittedRecord {
@@ -156,6 +175,7 @@ struct LightRecord {
 const int CAMERA_PERSPECTIVE = 0;   // a point of the film (x, y) in pixels maps to the direction corner + x * step_x + y * step_y
 const int CAMERA_ORTHOGRAPHIC = 1;  // to the origin corner + x * step_x + y * step_y; all look along `forward`
 const int CAMERA_PANORAMA = 2;      // to longitude and latitude: the picture's width spans 360 degrees, its height 180
+const int CAMERA_KINDS = 3;
 
 struct CameraRecord {
     vec3 position;
@@ -202,6 +222,8 @@ TABLE(LightRecord, LightTable)
 TABLE(BandRecord, BandTable)
 TABLE(vec3, Vec3Table)
 TABLE(vec2, Vec2Table)
+TABLE(vec4, Vec4Table)
+TABLE(InputRecord, InputTable)
 TABLE(int, IntTable)
 TABLE(float, FloatTable)
 
@@ -218,9 +240,18 @@ struct WorldRecord {
     Vec3Table positions;
     Vec3Table normals;
     Vec2Table uvs;
-    IntTable indices;  // three a triangle, counted from the mesh's first vertex
+    Vec2Table second_uvs;
+    Vec4Table tangents;     // of length 1; w is the side on which v grows, 1 or -1
+    Vec4Table colors;       // linear RGB and alpha
+    Vec4Table face_colors;  // of each triangle
+    IntTable indices;       // three a triangle, counted from the mesh's first vertex
     TextureTable textures;
-    Vec3Table texels;  // linear RGB
+    IntTable levels;
+    IntTable texels;
+    FloatTable float_texels;
+    Vec3Table sky_texels;
+    FloatTable decoding;  // from bytes to linear light, 256 values
+    InputTable inputs;
     WhittedTable materials;
     MediumTable media;
     MaterialTable surfaces;  // surfaces[i] is materials[i] for light that follows physics
@@ -250,23 +281,24 @@ struct WorldRecord {
     int light_count;
     int emitter_count;
     int chosen_by_strength;  // 1: too many emitters to look at each; chosen by `strength` alone
-    int environment;         // the emitter that is the surroundings, -1: none
+    int environment;         // the emitter that is the sky, -1: none
     int spectral;            // 0: linear RGB
+    int watched;             // 1: a path's steps tell what they meet
     int max_depth;           // vertices of a path after the camera, at most
     PathLimits limits;
+    int ways;  // WAYS_*
     FilterRecord filter_record;
     int seed;
     int band_count;
     int bounces;
-    float min_weight;  // of a path worth following
+    float min_weight;    // of a path worth following
+    int has_choices;     // 1: some material is a mix or has another one behind
+    int has_cuts;        // 1: some material is not there everywhere
+    int has_directions;  // 1: some surface has a direction, see MATERIAL_TURNED
+    float beam;          // share of a pixel's width that each of its samples stands for; 0: no texture asks
     int has_transparency;
     vec3 ambient;
-    vec3 zenith;
-    vec3 horizon;
-    vec3 nadir;
-    ColorRecord sky_zenith;  // the same gradient as radiance of the surroundings
-    ColorRecord sky_horizon;
-    ColorRecord sky_nadir;
+    SkyRecord sky;
     CameraRecord camera;
 };
 
@@ -277,7 +309,7 @@ namespace lancer::kernel {
 static_assert(sizeof(vec3) == 12 && sizeof(vec2) == 8, "records have scalar layout");
 static_assert(sizeof(SphereRecord) == 16 && sizeof(BoxRecord) == 24 && sizeof(PlaneRecord) == 76 && sizeof(AffineRecord) == 48 &&
               sizeof(PlacedRecord) == 156 && sizeof(TriangleRecord) == 36 && sizeof(InstanceRecord) == 104 && sizeof(ObjectRecord) == 28 &&
-              sizeof(TextureRecord) == 68 && sizeof(WhittedRecord) == 40 && sizeof(MediumRecord) == 48 && sizeof(LightRecord) == 48 &&
+              sizeof(TextureRecord) == 88 && sizeof(WhittedRecord) == 40 && sizeof(MediumRecord) == 48 && sizeof(LightRecord) == 48 &&
               sizeof(CameraRecord) == 104);
 }  // namespace lancer::kernel
 #endif

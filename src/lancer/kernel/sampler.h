@@ -6,7 +6,7 @@
 #ifndef LANCER_KERNEL_SAMPLER_H
 #define LANCER_KERNEL_SAMPLER_H
 
-#include "lancer/kernel/random.h"
+#include "lancer/kernel/language.h"
 
 NAMESPACE_BEGIN
 
@@ -17,10 +17,12 @@ const int DECISION_LENS = 1;        // place on the lens
 const int DECISION_WAVELENGTH = 2;  // first number only
 const int DECISION_BOUNCES = 4;     // from here on, so many for each vertex of the path:
 const int DECISIONS_A_BOUNCE = 4;
-const int DECISION_CHOICE = 0;     // which light, which part of the material
-const int DECISION_LIGHT = 1;      // point on the light
-const int DECISION_DIRECTION = 2;  // direction of the next ray
-const int DECISION_SURVIVAL = 3;   // Russian roulette, passing through a cut-out surface
+const int DECISION_CHOICE = 0;      // which light, which part of the material
+const int DECISION_LIGHT = 1;       // point on the light
+const int DECISION_DIRECTION = 2;   // direction of the next ray
+const int DECISION_SURVIVAL = 3;    // Russian roulette; second: which of mixed materials
+const int DECISION_LAYERS = 65536;  // from here on, so many for each vertex: passing through a surface that is not there everywhere
+const int DECISIONS_OF_LAYERS = 256;
 
 // ---- One pixel's sample in each lane. ----------------------------------------------------------------------------------------------
 
@@ -29,8 +31,8 @@ struct Sampler {
     UInt reversed;  // the sample's number, its bits in reverse order
 };
 
-// A permutation of the 32-bit numbers that leaves no visible pattern, in each lane [Jarzynski and Olano 2020].
-FN UInt scramble_lanes(UInt x) {
+// A permutation of the 32-bit numbers that leaves no visible pattern [Jarzynski and Olano 2020: PCG's output function].
+FN UInt scramble(UInt x) {
     UInt state = x * UInt(747796405u) + UInt(2891336453u);
     // The shift differs from lane to lane: made of four fixed ones.
     UInt amount = (state >> 28) + UInt(4u);
@@ -80,6 +82,9 @@ FN UInt sobol_second(UInt x) {
 // Uniform in [0, 1): the upper 24 bits.
 FN Float unit_interval(UInt bits) { return to_float(as_signed(bits >> 8)) * Float(5.9604644775390625e-8f); }
 
+// The key of a pixel. Mixed twice, so that another seed is not the same noise elsewhere in the picture.
+FN UInt pixel_key(UInt column, UInt row, UInt seed) { return scramble(scramble(column + (row << 16)) + scramble(seed)); }
+
 FN Sampler start_sampler(UInt key, UInt sample_number) {
     Sampler s;
     s.key = key;
@@ -89,7 +94,7 @@ FN Sampler start_sampler(UInt key, UInt sample_number) {
 
 // The pair of numbers for a decision, each uniform in [0, 1).
 FN Vec2 sample_pair(IN(Sampler) start, UInt decision) {
-    UInt key = scramble_lanes(start.key + decision);
+    UInt key = scramble(start.key + decision);
     UInt order = reverse_bits(scramble_upwards(start.reversed, key));
     UInt first = reverse_bits(scramble_upwards(order, key * UInt(0x9e3779b1u) + UInt(0x7f4a7c15u)));
     UInt second = reverse_bits(scramble_upwards(sobol_second(order), key * UInt(0x85ebca77u) + UInt(0xc2b2ae3du)));

@@ -30,7 +30,10 @@ FN Float largest(Spectrum s) { return max(max(s.x, s.y), max(s.z, s.w)); }
 
 FN Float mean(Spectrum s) { return (s.x + s.y + s.z + s.w) * Float(0.25f); }
 
-FN Mask is_black(Spectrum s) { return largest(s) <= Float(0.0f); }
+// What is not a number is not black: it has to be seen.
+FN Mask is_black(Spectrum s) { return both(both(s.x <= Float(0.0f), s.y <= Float(0.0f)), both(s.z <= Float(0.0f), s.w <= Float(0.0f))); }
+
+FN Spectrum rgb_value(Vec3 rgb) { return vec4_of(rgb.x, rgb.y, rgb.z, Float(0.0f)); }
 
 FN Float natural_log(Float x) { return log_2(x) * Float(0.69314718f); }
 

@@ -38,7 +38,7 @@ FN Vec2 sphere_uv(Vec3 n) {
 
 // The point is put back on the sphere, which makes its error independent of the distance travelled.
 FN SurfacePoint sphere_surface(IN(SphereRecord) sphere, IN(Ray) ray, Float t) {
-    SurfacePoint s;
+    SurfacePoint s = no_surface();
     Vec3 center = broadcast(sphere.center);
     s.normal = normalize(ray.origin + ray.direction * t - center);
     s.position = center + s.normal * Float(sphere.radius);

@@ -21,18 +21,6 @@ struct Finish {
     Mask dispersive;
 };
 
-FN SurfacePoint no_surface() {
-    SurfacePoint s;
-    s.position = vec3_all(Float(0.0f));
-    s.error = s.position;
-    s.normal = s.position;
-    s.shading = s.position;
-    s.local = s.position;
-    s.local_in = s.position;
-    s.uv = vec2_of(Float(0.0f), Float(0.0f));
-    return s;
-}
-
 FN Finish no_finish() {
     Finish f;
     f.color = vec3_all(Float(0.0f));
@@ -85,7 +73,7 @@ FN SurfacePoint mesh_surface(IN(WorldRecord) world, int instance_index, Int part
 
 // A triangle of a small mesh. Where the mesh has nothing of its own at its corners, all lanes share what there is to read.
 FN SurfacePoint loose_triangle_surface(IN(WorldRecord) world, IN(ObjectRecord) object, IN(Hit) hit, Mask mask) {
-    SurfacePoint s;
+    SurfacePoint s = no_surface();
     if (AT(world.meshes, object.mesh).flags != 0) {
         s = mesh_surface(world, object.instance, hit.part, hit.u, hit.v, mask);
     } else {
@@ -101,7 +89,7 @@ FN SurfacePoint loose_triangle_surface(IN(WorldRecord) world, IN(ObjectRecord) o
 }
 
 FN SurfacePoint object_surface(IN(WorldRecord) world, IN(ObjectRecord) object, IN(Ray) ray, IN(Hit) hit, Mask mask) {
-    SurfacePoint s;
+    SurfacePoint s = no_surface();
     if (object.kind == OBJECT_SPHERE) {
         s = sphere_surface(AT(world.spheres, object.index), ray, hit.t);
     } else if (object.kind == OBJECT_BOX) {
@@ -133,7 +121,8 @@ FN void find_surface(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Mask here,
             if (object.kind == OBJECT_SPHERE) {
                 s.uv = sphere_uv(s.normal);
             }
-            color = texture_color(world, texture, s.local, s.local_in, s.uv, mine);
+            Vec4 seen = texture_color(world, texture, s, mine);
+            color = vec3_of(seen.x, seen.y, seen.z);
         }
         point.position = select(mine, s.position, point.position);
         point.error = select(mine, s.error, point.error);

@@ -6,6 +6,34 @@
 
 NAMESPACE_BEGIN
 
+// One texel as it is stored, linear; what has no alpha has 1.
+FN vec4 stored_texel(IN(WorldRecord) world, IN(TextureRecord) texture, int at) {
+    vec4 color = vec4(1.0f);
+    if (texture.storage == TEXELS_GREY8) {
+        int byte = (AT(world.texels, at >> 2) >> (8 * (at & 3))) & 255;
+        float grey = texture.encoded != 0 ? AT(world.decoding, byte) : float(byte) * (1.0f / 255.0f);
+        color = vec4(grey, grey, grey, 1.0f);
+    } else if (texture.storage == TEXELS_RGBA8) {
+        int bytes = AT(world.texels, at);
+        int r = bytes & 255;
+        int g = (bytes >> 8) & 255;
+        int b = (bytes >> 16) & 255;
+        float alpha = float((bytes >> 24) & 255) * (1.0f / 255.0f);
+        if (texture.encoded != 0) {
+            color = vec4(AT(world.decoding, r), AT(world.decoding, g), AT(world.decoding, b), alpha);
+        } else {
+            color = vec4(float(r) * (1.0f / 255.0f), float(g) * (1.0f / 255.0f), float(b) * (1.0f / 255.0f), alpha);
+        }
+    } else if (texture.storage == TEXELS_GREY_FLOAT) {
+        float grey = AT(world.float_texels, at);
+        color = vec4(grey, grey, grey, 1.0f);
+    } else {
+        color = vec4(AT(world.float_texels, 4 * at), AT(world.float_texels, 4 * at + 1), AT(world.float_texels, 4 * at + 2),
+                     AT(world.float_texels, 4 * at + 3));
+    }
+    return color;
+}
+
 #ifdef LANCER_ISA
 
 FN Int gather_int(IntTable table, Int index, Mask mask) {
@@ -58,6 +86,40 @@ FN Vec3 gather_vec3(Vec3Table table, Int index, Mask mask) {
     return vec3_of(Float::load_aligned(x), Float::load_aligned(y), Float::load_aligned(z));
 }
 
+FN Vec4 load_rows(const float* x, const float* y, const float* z, const float* w) {
+    return vec4_of(Float::load_aligned(x), Float::load_aligned(y), Float::load_aligned(z), Float::load_aligned(w));
+}
+
+FN Vec4 gather_vec4(Vec4Table table, Int index, Mask mask) {
+    alignas(64) std::int32_t at[LANES];
+    alignas(64) float out[4][LANES] = {};
+    index.store_aligned(at);
+    for (unsigned left = mask_bits(mask); left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        const vec4 value = table[at[lane]];
+        out[0][lane] = value.x;
+        out[1][lane] = value.y;
+        out[2][lane] = value.z;
+        out[3][lane] = value.w;
+    }
+    return load_rows(out[0], out[1], out[2], out[3]);
+}
+
+FN Vec4 gather_texel(IN(WorldRecord) world, IN(TextureRecord) texture, Int index, Mask mask) {
+    alignas(64) std::int32_t at[LANES];
+    alignas(64) float out[4][LANES] = {};
+    index.store_aligned(at);
+    for (unsigned left = mask_bits(mask); left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        const vec4 value = stored_texel(world, texture, at[lane]);
+        out[0][lane] = value.x;
+        out[1][lane] = value.y;
+        out[2][lane] = value.z;
+        out[3][lane] = value.w;
+    }
+    return load_rows(out[0], out[1], out[2], out[3]);
+}
+
 #else
 
 FN Int gather_int(IntTable table, Int index, Mask mask) {
@@ -88,6 +150,22 @@ FN Vec3 gather_vec3(Vec3Table table, Int index, Mask mask) {
     Vec3 value = vec3_all(Float(0.0f));
     if (mask) {
         value = broadcast(AT(table, index));
+    }
+    return value;
+}
+
+FN Vec4 gather_vec4(Vec4Table table, Int index, Mask mask) {
+    Vec4 value = vec4_all(Float(0.0f));
+    if (mask) {
+        value = broadcast(AT(table, index));
+    }
+    return value;
+}
+
+FN Vec4 gather_texel(IN(WorldRecord) world, IN(TextureRecord) texture, Int index, Mask mask) {
+    Vec4 value = vec4_all(Float(0.0f));
+    if (mask) {
+        value = broadcast(stored_texel(world, texture, index));
     }
     return value;
 }

@@ -56,7 +56,7 @@ FN TriangleHit triangle_hit(Vec3 a, Vec3 b, Vec3 c, IN(Ray) ray) {
 }
 
 FN SurfacePoint triangle_surface(Vec3 a, Vec3 b, Vec3 c, Float u, Float v) {
-    SurfacePoint s;
+    SurfacePoint s = no_surface();
     Float w = Float(1.0f) - u - v;
     s.position = a * w + b * u + c * v;
     s.error = (abs(a * w) + abs(b * u) + abs(c * v)) * Float(8.0f * ROUNDING) + max(max(abs(a), abs(b)), abs(c)) * Float(4.0f * ROUNDING);

@@ -23,13 +23,6 @@ FN Float sigmoid_polynomial(Vec3 coefficients, Float nanometres) {
     return select(p < Float(0.0f), dark, Float(1.0f) - dark);
 }
 
-// From hue and lightness, 0 to 1, to evenly spaced places in the table, which is dense at both ends.
-FN Float to_even_ends(Float v) {
-    Float lower = sqrt(max(Float(0.5f) * v, Float(0.0f)));
-    Float upper = Float(1.0f) - sqrt(max(Float(0.5f) - Float(0.5f) * v, Float(0.0f)));
-    return select(v < Float(0.5f), lower, upper);
-}
-
 // Three neighbours in a table of floats.
 #ifdef LANCER_ISA
 FN Vec3 gather_three(FloatTable table, Int index, Mask mask) {

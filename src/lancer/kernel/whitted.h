@@ -65,7 +65,7 @@ FN_LARGE Vec3 whitted_radiance(IN(WorldRecord) world, IN(Ray) camera, Mask alive
         Hit hit = closest_hit(world, ray, path.alive);
         Mask here = both(path.alive, is_above(hit.object, Int(-1)));
         Mask missed = without(path.alive, here);
-        radiance = select(missed, radiance + path.weight * background(world, ray.direction), radiance);
+        radiance = select(missed, radiance + path.weight * background(world, ray.direction, missed), radiance);
 
         bool goes_on = false;
         if (some(here)) {

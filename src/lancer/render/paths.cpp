@@ -1,6 +1,7 @@
 #include "lancer/render/paths.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lancer {
 
@@ -26,26 +27,37 @@ bool PathSampler::render_tile(const Tile& tile, Film& film, RayCounts& counts, c
         return false;
     }
     const PathRange range{tile.x0, tile.y0, tile.x1, tile.y1, pass_.first_sample, pass_.sample_count};
+    const FilmLayers& layers = sums_.layers();
     radiance_.resize(range.paths());
-    device_.follow_paths(range, radiance_, counts);
-    const double samples = static_cast<double>(pass_.first_sample) + static_cast<double>(pass_.sample_count);
+    direct_.resize(layers.direct ? range.paths() : 0);
+    first_hits_.resize(layers.first_hits() ? range.paths() : 0);
+    spectra_.resize(layers.spectral_bins > 0 ? range.paths() : 0);
+    const PathSamples samples{radiance_, direct_, first_hits_, spectra_};
+    device_.trace_paths(range, samples, counts);
+    const std::size_t count = static_cast<std::size_t>(pass_.sample_count);
     std::size_t next = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) {
-            glm::dvec3 sum(0.0);
-            for (int i = 0; i < pass_.sample_count; ++i) {
-                const glm::vec3& c = radiance_[next++];
-                sum.x += static_cast<double>(c.x);
-                sum.y += static_cast<double>(c.y);
-                sum.z += static_cast<double>(c.z);
-            }
             const std::size_t pixel = film.index(x, y);
-            sums_[pixel] += sum;
-            film.radiance[pixel] = glm::vec3(sums_[pixel] / samples);
+            const std::uint32_t before = sums_.count(pixel);
+            sums_.add(pixel, samples.part(next, count));
+            if (sums_.count(pixel) - before < count) {
+                note_bad(x, y, samples.radiance.subspan(next, count));
+            }
+            next += count;
+            film.radiance[pixel] = sums_.mean(pixel);
             film.samples[pixel] = static_cast<std::uint32_t>(pass_.first_sample + pass_.sample_count);
         }
     }
     return true;
+}
+
+void PathSampler::note_bad(int x, int y, std::span<const glm::vec3> radiance) {
+    for (std::size_t i = 0; i < radiance.size(); ++i) {
+        if (std::isnan(radiance[i].x)) {
+            bad_.add({x, y, pass_.first_sample + static_cast<int>(i), {}});
+        }
+    }
 }
 
 }  // namespace lancer

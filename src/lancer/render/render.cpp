@@ -26,11 +26,15 @@ using Clock = std::chrono::steady_clock;
 // One render: the tiles that are left, and what the threads have found so far.
 class Work {
 public:
-    Work(const Device& device, const RenderOptions& options, Film& film, RenderObserver* observer, const std::atomic<bool>* cancel)
+    Work(const Device& device, const RenderOptions& options, Film& film, RenderObserver* observer, const std::atomic<bool>* cancel,
+         FilmSums* sums)
         : device_(device), options_(options), film_(film), observer_(observer), cancel_(cancel), curve_(options.exposure) {
         passes_ = options.spp > 0 ? path_passes(options.spp) : std::vector<PathPass>{{0, 1}};
         if (options.spp > 0) {
-            sums_.assign(film.radiance.size(), glm::dvec3(0.0));
+            sums_ = sums;
+            if (sums == nullptr) {
+                sums_ = &own_sums_.emplace(options.width, options.height, FilmLayers{});
+            }
         } else if (!options.adaptive) {
             patterns_.emplace(options.width, options.height, options.ssaa, device.lanes());
         }
@@ -56,8 +60,9 @@ public:
 private:
     // What one thread does: takes tiles until none is left.
     void take_tiles() {
-        const std::unique_ptr<TileSampler> sampler = make_sampler();
         RayCounts counts;
+        BadSamples bad_samples;
+        const std::unique_ptr<TileSampler> sampler = make_sampler(bad_samples);
         std::uint64_t bad = 0;
         std::size_t first_bad = no_pixel;
         while (!is_cancelled(cancel_)) {
@@ -83,6 +88,7 @@ private:
         }
         const std::scoped_lock lock(mutex_);
         counts_ += counts;
+        bad_samples_.add(bad_samples);
         bad_ += bad;
         first_bad_ = std::min(first_bad_, first_bad);
     }
@@ -94,6 +100,8 @@ public:
         result.samples = progress_.samples_done;
         result.seconds = seconds();
         result.finished = progress_.pixels_done == progress_.pixels_total;
+        result.bad_samples = bad_samples_;
+        result.bad_samples.find_faults(device_);
         result.bad_pixels = bad_;
         if (first_bad_ != no_pixel) {
             result.bad_x = static_cast<int>(first_bad_ % static_cast<std::size_t>(options_.width));
@@ -105,9 +113,9 @@ public:
 private:
     static constexpr std::size_t no_pixel = std::numeric_limits<std::size_t>::max();
 
-    std::unique_ptr<TileSampler> make_sampler() {
+    std::unique_ptr<TileSampler> make_sampler(BadSamples& bad) {
         if (options_.spp > 0) {
-            return std::make_unique<PathSampler>(device_, pass_, sums_);
+            return std::make_unique<PathSampler>(device_, pass_, *sums_, bad);
         }
         if (options_.adaptive) {
             const AdaptiveOptions adaptive = {options_.adaptive_threshold, options_.adaptive_depth};
@@ -139,7 +147,8 @@ private:
     std::optional<UniformPatterns> patterns_;
     std::vector<PathPass> passes_;
     PathPass pass_;
-    std::vector<glm::dvec3> sums_;  // of the path integrator's samples
+    std::optional<FilmSums> own_sums_;  // where nobody else wants them
+    FilmSums* sums_ = nullptr;
     std::vector<Tile> tiles_;
     Clock::time_point start_ = Clock::now();
 
@@ -147,6 +156,7 @@ private:
     std::mutex mutex_;  // guards what follows, and lets one thread at a time speak to the observer
     RenderProgress progress_;
     RayCounts counts_;
+    BadSamples bad_samples_;
     std::uint64_t bad_ = 0;
     std::size_t first_bad_ = no_pixel;
 };
@@ -156,13 +166,15 @@ private:
 int hardware_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 RenderStatistics render(const Device& device, const RenderOptions& options, Film& film, RenderObserver* observer,
-                        const std::atomic<bool>* cancel) {
+                        const std::atomic<bool>* cancel, FilmSums* sums) {
     assert(options.width >= 1 && options.height >= 1 && film.width == options.width && film.height == options.height);
     assert(options.ssaa >= 1 && options.ssaa <= max_ssaa);
     assert(options.adaptive_depth >= 0 && options.adaptive_depth <= max_adaptive_depth);
     assert(options.threads >= 0 && options.threads <= max_threads);
 
-    Work work(device, options, film, observer, cancel);
+    assert(sums == nullptr || (sums->width() == options.width && sums->height() == options.height));
+
+    Work work(device, options, film, observer, cancel, sums);
     const int threads = options.threads > 0 ? options.threads : hardware_threads();
     work.run(threads);
     RenderStatistics result = work.statistics();

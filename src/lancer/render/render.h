@@ -9,6 +9,8 @@
 
 #include "lancer/device/device.h"
 #include "lancer/film/film.h"
+#include "lancer/film/film_sums.h"
+#include "lancer/render/bad_samples.h"
 #include "lancer/render/tiles.h"
 
 namespace lancer {
@@ -46,6 +48,9 @@ struct RenderStatistics {
     int threads = 0;
     bool finished = false;  // false when cancelled
 
+    // Samples of the path integrator that were left out of the picture.
+    BadSamples bad_samples;
+
     // Pixels with a NaN or infinite channel: something is wrong with the scene or with us. `bad_x`, `bad_y`: the first of them, row by row.
     std::uint64_t bad_pixels = 0;
     int bad_x = -1;
@@ -60,9 +65,9 @@ public:
 };
 
 // Renders into `film`, which has the options' size. Stops soon after `cancel` becomes true: the tiles that are done stay in the film.
-// `observer` may be null. The options must be in range (ssaa, depth and threads up to the limits above, sizes at least 1).
+// `observer` may be null. `sums`, if not null, empty and of the film's size, receives what the path integrator's picture rests on. The options must be in range (ssaa, depth and threads up to the limits above, sizes at least 1).
 RenderStatistics render(const Device& device, const RenderOptions& options, Film& film, RenderObserver* observer = nullptr,
-                        const std::atomic<bool>* cancel = nullptr);
+                        const std::atomic<bool>* cancel = nullptr, FilmSums* sums = nullptr);
 
 // The machine's hardware threads, at least 1.
 int hardware_threads();

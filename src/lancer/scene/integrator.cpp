@@ -13,6 +13,11 @@ std::string chosen_integrator(const Scene& scene) {
     return physical ? "path" : "whitted";
 }
 
-int bounces_of(const Scene& scene) { return scene.settings.bounces.value_or(chosen_integrator(scene) == "whitted" ? 5 : 16); }
+int bounces_of(const Scene& scene) {
+    const std::string integrator = chosen_integrator(scene);
+    return scene.settings.bounces.value_or(integrator == "whitted" ? 5 : integrator == "direct" ? 1 : 16);
+}
+
+bool follows_paths(const Scene& scene) { return chosen_integrator(scene) != "whitted"; }
 
 }  // namespace lancer::scene

@@ -31,20 +31,44 @@ struct Checker {
 };
 
 enum class Wrap { repeat, clamp, mirror };
-enum class Filter { nearest, bilinear };
+enum class Filter { nearest, bilinear, mipmaps };
 
-// A picture laid over the surface's uv coordinates; (0, 0) is its lower left corner.
+// A picture laid over the surface's uv coordinates; (0, 0) is its lower left corner. It is looked up at rotation * (scale * uv) + offset.
 struct ImageTexture {
     std::string file;  // resolved against the scene file's folder
     Wrap wrap = Wrap::repeat;
-    Filter filter = Filter::bilinear;
-    bool linear = false;  // false: colours are decoded from sRGB
+    std::optional<Wrap> wrap_v = std::nullopt;  // where it differs from `wrap`
+    Filter filter = Filter::mipmaps;
+    bool linear = false;  // false: colours are decoded from sRGB where they are integers
     glm::dvec2 scale{1.0};
+    double rotation = 0.0;  // degrees, anticlockwise
     glm::dvec2 offset{0.0};
+    int uv_set = 0;  // 0 or 1, of a mesh that has two
     SourcePosition position;
 };
 
-using Texture = std::variant<Color, Checker, ImageTexture>;
+// Colours that a mesh brings along, for each of its vertices or triangles; white where it has none.
+struct MeshColors {
+    bool of_faces = false;
+};
+
+using Texture = std::variant<Color, Checker, ImageTexture, MeshColors>;
+
+enum class Channel { red, green, blue, alpha };
+
+// A number, the same everywhere; or where there is a texture, offset + scale * one of its channels.
+struct Value {
+    Value(double everywhere = 0.0) : number(everywhere) {}
+
+    double number;
+    std::optional<Texture> texture = std::nullopt;
+    Channel channel = Channel::red;
+    double scale = 1.0;
+    double offset = 0.0;
+
+    // What it is at most, of textures from 0 to 1.
+    double most() const { return texture ? offset + (scale > 0.0 ? scale : 0.0) : number; }
+};
 
 // ---- Refraction -----------------------------------------------------------------------------------------------------------------
 
@@ -87,15 +111,15 @@ struct WhittedMaterial {
 // Scatters to all sides alike [Lambert 1760], or as small facets of that kind do.
 struct DiffuseMaterial {
     Texture color = Color(Rgb(0.8));
-    double roughness = 0.0;
+    Value roughness = 0.0;
 };
 
 // A metal, by name, by its complex index n + i k, or by its colour when seen straight on.
 struct ConductorMaterial {
     std::string metal;  // a name that spectrum/metal.h knows; empty: n and k, or `color`
     Texture color = Color(Rgb(1.0));
-    double roughness = 0.0;
-    double anisotropy = 0.0;                           // how much smoother along u than along v, 0 to 1
+    Value roughness = 0.0;
+    Value anisotropy = 0.0;                            // how much smoother along u than along v, 0 to 1
     std::optional<MeasuredSpectrum> n = std::nullopt;  // both or none
     std::optional<MeasuredSpectrum> k = std::nullopt;
 };
@@ -104,8 +128,8 @@ struct ConductorMaterial {
 struct DielectricMaterial {
     Refraction refraction = 1.5;
     Texture color = Color(Rgb(1.0));  // a tint for whatever it reflects or lets through; white in nature
-    double roughness = 0.0;
-    double anisotropy = 0.0;
+    Value roughness = 0.0;
+    Value anisotropy = 0.0;
     Color absorption = Color();  // inside, per metre
     bool thin = false;
 };
@@ -114,26 +138,26 @@ struct DielectricMaterial {
 struct PlasticMaterial {
     Texture color = Color(Rgb(0.8));
     double refraction = 1.5;  // of the coat
-    double roughness = 0.0;
+    Value roughness = 0.0;
     bool saturates = true;  // light that the coat sends back takes the body's colour again
 };
 
 // Layers: sheen over a clear coat over a base of metal, coloured body or clear body. After glTF's metallic-roughness and its extensions.
 struct PrincipledMaterial {
     Texture color = Color(Rgb(0.8));
-    double metalness = 0.0;
-    double roughness = 0.3;
-    double anisotropy = 0.0;
+    Value metalness = 0.0;
+    Value roughness = 0.3;
+    Value anisotropy = 0.0;
     double refraction = 1.5;
-    Color specular = Rgb(1.0);  // tint of what the base reflects
-    double transmission = 0.0;
+    Texture specular = Color(Rgb(1.0));  // tint of what the base reflects
+    Value transmission = 0.0;
     bool thin = false;
     Color absorption = Color();
-    double coat = 0.0;
-    double coat_roughness = 0.0;
-    Color sheen = Color();
-    double sheen_roughness = 0.3;
-    double film = 0.0;  // thickness in nanometres of a thin film; 0: none
+    Value coat = 0.0;
+    Value coat_roughness = 0.0;
+    Texture sheen = Color();
+    Value sheen_roughness = 0.3;
+    Value film = 0.0;  // thickness in nanometres of a thin film; 0: none
     double film_refraction = 1.3;
 };
 
@@ -144,12 +168,33 @@ struct Emission {
     bool both_sides = false;     // else outwards only
 };
 
+// Two materials, one here and the other there: indices into Scene::materials. They may be mixes themselves; no mix may contain itself.
+struct MixMaterial {
+    int first = 0;
+    int second = 0;
+    Value share = 0.5;  // of the second
+};
+
+// Where a surface's normals differ from those of its shape.
+struct Relief {
+    std::optional<Texture> normals = std::nullopt;  // red, green, blue from 0 to 1 are x, y, z from -1 to 1: along u, along v, outwards
+    double scale = 1.0;                             // of x and y
+    bool flips_green = false;                       // y grows downwards
+    std::optional<Value> heights = std::nullopt;    // metres outwards, of which only the slopes are seen
+};
+
 struct Material {
     std::string name;  // empty when written in place
-    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial> model;
+    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial, MixMaterial>
+        model;
     SourcePosition position;
     std::optional<Emission> emission = std::nullopt;
     bool is_default = false;  // for shapes without one: as it is, or diffuse where light follows physics
+    Relief relief = {};
+    Value opacity = 1.0;             // how much of it is there; light passes by the rest as if there were nothing
+    double opacity_cutoff = 0.0;     // above 0: it is there where the opacity is at least this, and nowhere else
+    std::optional<int> behind = {};  // what is seen from within instead: index into Scene::materials
+    bool one_sided = false;          // black when seen from within
 };
 
 inline bool is_physical(const Material& material) {
@@ -194,12 +239,16 @@ struct Cone {  // a cone, or a truncated one when `top_radius` is not 0
     bool capped = true;
 };
 
-// Triangles, counter-clockwise seen from outside. `normals` and `uvs` are empty or as long as `positions`.
+// Triangles, counter-clockwise seen from outside. What belongs to vertices is empty or as long as `positions`.
 struct TriangleMesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> uvs;
     std::vector<glm::uvec3> triangles;
+    std::vector<glm::vec2> second_uvs = {};
+    std::vector<glm::vec4> tangents = {};     // where u grows, of length 1; w is 1 or -1: v grows along w * cross(normal, tangent)
+    std::vector<glm::vec4> colors = {};       // linear RGB and alpha
+    std::vector<glm::vec4> face_colors = {};  // of each triangle, or empty
 };
 
 // The data of a mesh is shared by all its placements.
@@ -261,11 +310,15 @@ struct Light {
     std::optional<Color> power = std::nullopt;
 };
 
-// A vertical gradient seen by rays that leave the scene; both equal for a plain colour.
+// What rays see that leave the scene: a vertical gradient, all equal for a plain colour; or a latitude-longitude image around it.
 struct Background {
     Color zenith;
     Color horizon;
     Color nadir;
+    std::optional<ImageTexture> image = std::nullopt;  // its middle lies along -z, its right half towards +x, its top along +y
+    double rotation = 0.0;                             // of the image about +y: degrees, counter-clockwise as seen from above
+    double strength = 1.0;                             // times this
+    bool visible = true;                               // to the camera itself
 };
 
 // ---- Camera -----------------------------------------------------------------------------------------------------------------------
@@ -290,15 +343,21 @@ struct Camera {
 // ---- How to render it -------------------------------------------------------------------------------------------------------------
 
 enum class Antialiasing { uniform, adaptive };
+enum class DirectSamples { mis, emitter, bsdf };  // how lamps are found: both ways together, by asking them, by scattered rays
 enum class PixelFilter { box, tent, gaussian, mitchell, blackman_harris };
 
 struct RenderSettings {
     int width = 1280;
     int height = 720;
     std::string integrator = "auto";  // path where anything in the scene follows physics, else whitted
-    std::optional<int> bounces;       // after the first hit; not written: 5 for whitted, 16 for path
-    int spp = 64;                     // samples a pixel of the path integrator
-    bool rgb = false;                 // paths carry linear RGB instead of wavelengths
+    std::optional<int> bounces;       // after the first hit; not written: 5 for whitted, 16 for path, 1 for direct
+    // How many of them may be of a kind; not written: all.
+    std::optional<int> diffuse_bounces;
+    std::optional<int> glossy_bounces;
+    std::optional<int> transmission_bounces;
+    DirectSamples direct_samples = DirectSamples::mis;  // of the direct integrator
+    int spp = 64;                                       // samples a pixel of the path integrator
+    bool rgb = false;                                   // paths carry linear RGB instead of wavelengths
     int seed = 0;
     PixelFilter filter = PixelFilter::blackman_harris;
     std::optional<double> filter_radius;  // pixels; not written: what suits the filter
@@ -309,6 +368,10 @@ struct RenderSettings {
     double min_weight = 0.0005;        // paths that can bring less than this share of their light to the pixel are not followed
     int wavelengths = 48;              // that carry a path through dispersive glass
     double exposure = 0.0;             // stops
+    std::string view = "srgb";         // how linear light is shown; a name that image/view.h knows
+    std::vector<std::string> aovs;     // what EXR files hold beside the picture; names that image/aov.h knows
+    int spectral_bins = 0;             // and how many channels of spectral radiance
+    bool wide = false;                 // 32-bit floats in EXR files, not halves
 };
 
 struct Scene {
@@ -328,5 +391,7 @@ struct Scene {
 // The integrator that "auto" stands for.
 std::string chosen_integrator(const Scene& scene);
 int bounces_of(const Scene& scene);
+// Whether light follows physics, along paths: any integrator but whitted.
+bool follows_paths(const Scene& scene);
 
 }  // namespace lancer::scene

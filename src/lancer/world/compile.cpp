@@ -14,8 +14,11 @@
 #include "lancer/world/emitters.h"
 #include "lancer/world/filters.h"
 #include "lancer/world/flatten.h"
+#include "lancer/world/lights.h"
 #include "lancer/world/materials.h"
+#include "lancer/world/names.h"
 #include "lancer/world/shapes.h"
+#include "lancer/world/sky.h"
 #include "lancer/world/spectra.h"
 #include "lancer/world/wavelengths.h"
 
@@ -71,9 +74,20 @@ kernel::CameraRecord compile_camera(const scene::Camera& camera, int width, int 
 // What the path integrator needs beyond what all need.
 void compile_physics(const scene::Scene& scene, World& world) {
     world.max_depth = scene::bounces_of(scene);
+    const scene::RenderSettings& settings = scene.settings;
+    world.limits.limited = settings.diffuse_bounces || settings.glossy_bounces || settings.transmission_bounces ? 1 : 0;
+    world.limits.diffuse = settings.diffuse_bounces.value_or(world.max_depth);
+    world.limits.glossy = settings.glossy_bounces.value_or(world.max_depth);
+    world.limits.transmission = settings.transmission_bounces.value_or(world.max_depth);
+    world.ways = scene::chosen_integrator(scene) != "direct"                ? kernel::WAYS_BOTH
+                 : settings.direct_samples == scene::DirectSamples::emitter ? kernel::WAYS_EMITTER
+                 : settings.direct_samples == scene::DirectSamples::bsdf    ? kernel::WAYS_BSDF
+                                                                            : kernel::WAYS_BOTH;
     world.seed = scene.settings.seed;
     compile_filter(scene.settings, world);
     world.spectral = !scene.settings.rgb;
+    // Each of a pixel's samples stands for its share of the pixel. An eighth of its width is as fine as textures are worth looking at.
+    world.beam = static_cast<float>(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(std::max(scene.settings.spp, 1)))));
     if (world.spectral) {
         for (int i = 0; i < kernel::WAVELENGTH_COUNT; ++i) {
             world.observer.push_back(to_float(sensor_weight(static_cast<double>(kernel::FIRST_WAVELENGTH) + i)));
@@ -81,35 +95,13 @@ void compile_physics(const scene::Scene& scene, World& world) {
     }
 }
 
-kernel::LightRecord compile_light(const scene::Light& light) {
-    kernel::LightRecord record{};
-    record.radiance = to_float(emitted(light.color) * light.intensity);
-    record.direction = kernel::vec3(0.0f, -1.0f, 0.0f);
-    if (const auto* point = std::get_if<scene::PointLight>(&light.model)) {
-        record.kind = kernel::LIGHT_POINT;
-        record.position = to_float(point->position);
-    } else if (const auto* spot = std::get_if<scene::SpotLight>(&light.model)) {
-        record.kind = kernel::LIGHT_SPOT;
-        record.position = to_float(spot->position);
-        record.direction = to_float(glm::normalize(spot->direction));
-        record.cos_outer = static_cast<float>(std::cos(glm::radians(spot->angle)));
-        // A spot without falloff still needs an edge that is not a division by zero: the next float.
-        const auto inner = static_cast<float>(std::cos(glm::radians(std::max(0.0, spot->angle - spot->falloff))));
-        record.cos_inner = std::max(inner, std::nextafter(record.cos_outer, 2.0f));
-    } else if (const auto* sun = std::get_if<scene::DirectionalLight>(&light.model)) {
-        record.kind = kernel::LIGHT_DIRECTIONAL;
-        record.direction = to_float(glm::normalize(sun->direction));
-    }
-    return record;
-}
-
 }  // namespace
 
 std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scene::Camera& camera, Diagnostics& diagnostics) {
     auto world = std::make_shared<World>();
-    const bool physical = scene::chosen_integrator(scene) != "whitted";
+    const bool physical = scene::follows_paths(scene);
     const int bounces = scene::bounces_of(scene);
-    const int most = physical ? max_path_bounces : kernel::MAX_BOUNCES;
+    const int most = scene::chosen_integrator(scene) == "direct" ? 1 : physical ? max_path_bounces : kernel::MAX_BOUNCES;
     if (bounces < 0 || bounces > most) {
         diagnostics.error({scene.file, 0, 0}, std::to_string(bounces) + " bounces: expected 0 to " + std::to_string(most));
     }
@@ -120,11 +112,8 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     world->min_weight = static_cast<float>(scene.settings.min_weight);
     world->camera = compile_camera(camera, scene.settings.width, scene.settings.height, diagnostics);
     world->ambient = to_float(emitted(scene.ambient));
-    world->zenith = to_float(emitted(scene.background.zenith));
-    world->horizon = to_float(emitted(scene.background.horizon));
-    world->nadir = to_float(emitted(scene.background.nadir));
     for (const scene::Light& light : scene.lights) {
-        world->lights.push_back(compile_light(light));
+        world->lights.push_back(light_record(light));
     }
     if (diagnostics.has_errors()) {
         return nullptr;
@@ -135,8 +124,12 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     if (physical) {
         compile_physics(scene, *world);
         compile_surfaces(scene, *world, textures, colors, diagnostics);
+        world->beam = world->textures.empty() ? 0.0f : world->beam;
     }
-    compile_shapes(flatten(scene), *world, diagnostics);
+    const std::vector<FlatObject> flat = flatten(scene);
+    compile_names(scene, flat, *world);
+    compile_sky(scene.background, *world, colors, diagnostics);
+    compile_shapes(flat, *world, diagnostics);
     if (physical && !diagnostics.has_errors()) {
         compile_emitters(scene, *world, colors, diagnostics);
         compile_wavelengths(*world);

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "lancer/kernel/emitter.h"
-#include "lancer/world/spectra.h"
+#include "lancer/kernel/emitter/emitter.h"
+#include "lancer/kernel/sampler.h"
+#include "lancer/world/lights.h"
+#include "lancer/world/sky.h"
 
 namespace lancer {
 
@@ -16,6 +20,18 @@ namespace {
 
 // With more emitters than this, looking at each for every choice costs more than choosing better gains.
 constexpr std::size_t few_emitters = 32;
+
+// Of lamps with a texture: points at which it is looked up to weigh the lamp, or one of its triangles; and what is left for what they miss.
+constexpr int points_a_lamp = 256;
+constexpr int points_a_triangle = 8;
+constexpr double unseen_light = 0.02;
+
+// Point i of n, spread over the unit square [Hammersley 1960].
+kernel::Vec2 spread(int i, int n) {
+    const double across = (static_cast<double>(i) + 0.5) / n;
+    const double down = static_cast<double>(kernel::reverse_bits(static_cast<std::uint32_t>(i))) / 4294967296.0;
+    return kernel::vec2_of(static_cast<float>(across), static_cast<float>(down + 0.5 / n));
+}
 
 double brightness(const kernel::vec3& rgb) { return std::max(0.0, glm::dot(glm::dvec3(rgb), glm::dvec3(0.2126, 0.7152, 0.0722))); }
 
@@ -26,7 +42,8 @@ glm::dvec3 apply(const kernel::AffineRecord& map, const glm::dvec3& p) {
 
 class Emitters {
 public:
-    Emitters(World& world, Colors& colors, Diagnostics& diagnostics) : world_(world), colors_(colors), diagnostics_(diagnostics) {}
+    Emitters(const scene::Scene& scene, World& world, Colors& colors, Diagnostics& diagnostics)
+        : scene_(scene), world_(world), colors_(colors), diagnostics_(diagnostics) {}
 
     void add_light(const scene::Light& light) {
         if (!light.power) {
@@ -43,9 +60,9 @@ public:
             record.kind = kernel::EMITTER_SPOT;
             record.position = kernel::vec3(spot->position);
             record.direction = kernel::vec3(glm::normalize(spot->direction));
-            record.cos_outer = static_cast<float>(std::cos(glm::radians(spot->angle)));
-            const auto inner = static_cast<float>(std::cos(glm::radians(std::max(0.0, spot->angle - spot->falloff))));
-            record.cos_inner = std::max(inner, std::nextafter(record.cos_outer, 2.0f));
+            const SpotCone cone = spot_cone(*spot);
+            record.cos_outer = cone.cos_outer;
+            record.cos_inner = cone.cos_inner;
         } else if (const auto* sun = std::get_if<scene::DirectionalLight>(&light.model)) {
             record.kind = kernel::EMITTER_DIRECTIONAL;
             record.direction = kernel::vec3(glm::normalize(sun->direction));
@@ -54,27 +71,30 @@ public:
         world_.emitters.push_back(record);
     }
 
-    void add_surroundings(const scene::Background& background) {
-        const scene::Rgb zenith = emitted(background.zenith), horizon = emitted(background.horizon), nadir = emitted(background.nadir);
-        const scene::Rgb all = glm::max(glm::max(zenith, horizon), nadir);
-        if (!(std::max({all.x, all.y, all.z}) > 0.0)) {
-            return;
+    void add_sky() {
+        const double mean = compile_sky_shares(world_, world_.ways == kernel::WAYS_BOTH);
+        if (mean > 0.0) {
+            kernel::EmitterRecord record = no_emitter();
+            record.kind = kernel::EMITTER_ENVIRONMENT;
+            record.strength = static_cast<float>(std::numbers::pi * mean);
+            world_.environment = static_cast<int>(world_.emitters.size());
+            world_.emitters.push_back(record);
         }
-        world_.sky_zenith = colors_.light(background.zenith);
-        world_.sky_horizon = colors_.light(background.horizon);
-        world_.sky_nadir = colors_.light(background.nadir);
-        kernel::EmitterRecord record = no_emitter();
-        record.kind = kernel::EMITTER_ENVIRONMENT;
-        record.strength = static_cast<float>(std::numbers::pi * brightness(kernel::vec3((zenith + horizon * 2.0 + nadir) * 0.25)));
-        world_.environment = static_cast<int>(world_.emitters.size());
-        world_.emitters.push_back(record);
+    }
+
+    // By chance, never asked: a lamp with holes, where points drawn on it may not be there, and one that shines in the colours of its mesh, which
+    // a drawn point does not know.
+    bool is_only_met(const kernel::MaterialRecord& material) const {
+        const int texture = material.emission.texture;
+        const int kind = texture < 0 ? kernel::TEXTURE_NONE : world_.textures[static_cast<std::size_t>(texture)].kind;
+        return (material.flags & kernel::MATERIAL_CUT) != 0 || kind == kernel::TEXTURE_VERTEX_COLOR || kind == kernel::TEXTURE_FACE_COLOR;
     }
 
     void add_objects() {
         for (std::size_t i = 0; i < world_.objects.size(); ++i) {
             kernel::ObjectRecord& object = world_.objects[i];
             const kernel::MaterialRecord& material = world_.surfaces[static_cast<std::size_t>(object.material)];
-            if ((material.flags & kernel::MATERIAL_EMITS) == 0) {
+            if ((material.flags & kernel::MATERIAL_EMITS) == 0 || is_only_met(material)) {
                 continue;
             }
             kernel::EmitterRecord record = no_emitter();
@@ -82,12 +102,12 @@ public:
             record.object = static_cast<int>(i);
             record.material = object.material;
             record.two_sided = (material.flags & kernel::MATERIAL_EMITS_BEHIND) != 0 ? 1 : 0;
+            record.textured = material.emission.texture >= 0 ? 1 : 0;
             const double seen_area = place(object, record);
             if (!(seen_area > 0.0)) {
                 continue;
             }
-            const double radiance =
-                material.emission.texture >= 0 ? static_cast<double>(material.emission.scale) : brightness(material.emission.rgb);
+            const double radiance = record.textured != 0 ? mean_of_texture(record) : brightness(material.emission.rgb);
             if (radiance > 0.0) {
                 record.strength = static_cast<float>(radiance * seen_area);
                 object.emitter = static_cast<int>(world_.emitters.size());
@@ -115,7 +135,9 @@ public:
         shares.back() = 1.0f;
         for (kernel::EmitterRecord& emitter : world_.emitters) {
             emitter.first_share += static_cast<int>(shares.size());
+            emitter.first_density += static_cast<int>(shares.size());
         }
+        world_.sky.first_share += static_cast<int>(shares.size());
         world_.distributions.insert(world_.distributions.begin(), shares.begin(), shares.end());
     }
 
@@ -153,7 +175,8 @@ private:
             return place_mesh(world_.instances[index], record);
         }
         if (object.kind == kernel::OBJECT_PLANE) {
-            diagnostics_.error({}, "an infinite plane can't be a lamp: its light would be infinite");
+            const scene::Material& material = scene_.materials[static_cast<std::size_t>(object.material)];
+            diagnostics_.error(material.position, "an infinite plane can't be a lamp: its light would be infinite");
             return 0.0;
         }
         return place_canonical(object, world_.placed[index], record);
@@ -164,6 +187,7 @@ private:
         const glm::dvec3 across = glm::cross(b - a, c - a);
         const double area = 0.5 * glm::length(across);
         record.kind = kernel::EMITTER_TRIANGLE;
+        record.planar = 1;
         record.area = static_cast<float>(area);
         const bool flips = world_.instances[static_cast<std::size_t>(object.instance)].flips != 0;
         record.direction = area > 0.0 ? kernel::vec3(glm::normalize(flips ? -across : across)) : kernel::vec3(0.0f);
@@ -180,7 +204,6 @@ private:
         record.share_count = mesh.triangle_count;
         std::vector<double> areas;
         glm::dvec3 low(1e300), high(-1e300);
-        double sum = 0.0;
         for (int i = 0; i < mesh.triangle_count; ++i) {
             glm::dvec3 corner[3];
             for (int j = 0; j < 3; ++j) {
@@ -189,11 +212,13 @@ private:
                 low = glm::min(low, corner[j]);
                 high = glm::max(high, corner[j]);
             }
-            sum += 0.5 * glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
-            areas.push_back(sum);
+            areas.push_back(0.5 * glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0])));
         }
-        for (const double area : areas) {
-            world_.distributions.push_back(static_cast<float>(area / sum));
+        const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
+        if (record.textured == 0) {
+            add_shares(areas);
+        } else {
+            mesh_light_ = add_textured_shares(areas, record);
         }
         record.area = static_cast<float>(sum);
         record.middle = kernel::vec3((low + high) * 0.5);
@@ -201,29 +226,93 @@ private:
         return sum * 0.5;
     }
 
+    // Cumulative shares of the sum.
+    double add_shares(const std::vector<double>& parts) {
+        const double sum = std::accumulate(parts.begin(), parts.end(), 0.0);
+        double so_far = 0.0;
+        for (const double part : parts) {
+            so_far += part;
+            world_.distributions.push_back(static_cast<float>(so_far / sum));
+        }
+        return sum;
+    }
+
+    // Triangles by their light, as far as a few points of each show it; what they may hide is worth `unseen_light` of the mean.
+    // Returns the mean.
+    double add_textured_shares(const std::vector<double>& areas, kernel::EmitterRecord& record) {
+        const kernel::WorldRecord world = world_.record();
+        std::vector<double> light;
+        for (std::size_t i = 0; i < areas.size(); ++i) {
+            double sum = 0.0;
+            for (int j = 0; j < points_a_triangle; ++j) {
+                const kernel::Vec2 on = kernel::on_triangle(spread(j, points_a_triangle));
+                sum += texture_at(kernel::mesh_surface(world, record.index, static_cast<int>(i), on.x, on.y, true), record);
+            }
+            light.push_back(areas[i] * sum / points_a_triangle);
+        }
+        const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+        const double mean = std::max(std::accumulate(light.begin(), light.end(), 0.0) / area, 1e-30);
+        for (std::size_t i = 0; i < areas.size(); ++i) {
+            light[i] += unseen_light * mean * areas[i];
+        }
+        const double sum = add_shares(light);
+        record.first_density = static_cast<int>(world_.distributions.size());
+        for (std::size_t i = 0; i < areas.size(); ++i) {
+            world_.distributions.push_back(static_cast<float>(areas[i] > 0.0 ? light[i] / (sum * areas[i]) : 0.0));
+        }
+        return mean;
+    }
+
+    // Luminance of the lamp's texture.
+    double texture_at(const kernel::SurfacePoint& point, const kernel::EmitterRecord& record) const {
+        const kernel::WorldRecord world = world_.record();
+        const kernel::ColorRecord& emission = world_.surfaces[static_cast<std::size_t>(record.material)].emission;
+        const kernel::TextureRecord& texture = world_.textures[static_cast<std::size_t>(emission.texture)];
+        const kernel::Vec4 rgb = kernel::texture_color(world, texture, point, true);
+        return static_cast<double>(emission.scale) * brightness({rgb.x, rgb.y, rgb.z});
+    }
+
+    // Over the whole lamp.
+    double mean_of_texture(const kernel::EmitterRecord& record) const {
+        const kernel::WorldRecord world = world_.record();
+        double mean = mesh_light_;
+        if (record.kind != kernel::EMITTER_MESH) {
+            double sum = 0.0;
+            for (int i = 0; i < points_a_lamp; ++i) {
+                sum += texture_at(
+                    kernel::emitter_sample(world, record, kernel::broadcast(record.middle), spread(i, points_a_lamp), true).point, record);
+            }
+            mean = sum / points_a_lamp;
+        }
+        const kernel::ColorRecord& emission = world_.surfaces[static_cast<std::size_t>(record.material)].emission;
+        return std::max(mean, unseen_light * static_cast<double>(emission.scale));
+    }
+
     double place_canonical(const kernel::ObjectRecord& object, const kernel::PlacedRecord& shape, kernel::EmitterRecord& record) {
         using std::numbers::pi;
         record.kind = kernel::EMITTER_PLACED;
         const double bottom = static_cast<double>(shape.bottom_radius), top = static_cast<double>(shape.top_radius);
         glm::dvec3 middle(0.0), half(1.0);
-        const auto growth = [&](float x, float y, float z) {
-            return static_cast<double>(kernel::area_growth(shape, kernel::vec3_of(x, y, z)));
-        };
+        const kernel::Vec3 grown = kernel::face_growths(shape);
+        const glm::dvec3 growth(static_cast<double>(grown.x), static_cast<double>(grown.y), static_cast<double>(grown.z));
         double own = 4.0 * pi;
-        double seen = own / 4.0 * std::cbrt(growth(1, 0, 0) * growth(0, 1, 0) * growth(0, 0, 1));
+        double seen = own / 4.0 * std::cbrt(growth.x * growth.y * growth.z);
         if (object.kind == kernel::OBJECT_PLACED_BOX) {
             own = 24.0;
-            seen = 2.0 * (growth(1, 0, 0) + growth(0, 1, 0) + growth(0, 0, 1));
+            seen = 2.0 * (growth.x + growth.y + growth.z);
         } else if (object.kind == kernel::OBJECT_PLACED_DISK) {
             own = pi;
-            seen = own * growth(0, 1, 0);
+            seen = own * growth.y;
+            const kernel::Vec3 normal = kernel::normalize(kernel::apply_transposed(shape.to_object, kernel::vec3_of(0.0f, 1.0f, 0.0f)));
+            record.direction = {normal.x, normal.y, normal.z};
+            record.planar = 1;
             half.y = 0.0;
         } else if (object.kind == kernel::OBJECT_PLACED_CONE) {
             const double side = pi * (bottom + top) * std::sqrt(1.0 + (top - bottom) * (top - bottom));
             const double base = shape.capped != 0 ? pi * bottom * bottom : 0.0;
             const double cap = shape.capped != 0 ? pi * top * top : 0.0;
             own = side + base + cap;
-            seen = own / 4.0 * std::cbrt(growth(1, 0, 0) * growth(0, 1, 0) * growth(0, 0, 1));
+            seen = own / 4.0 * std::cbrt(growth.x * growth.y * growth.z);
             record.side_share = static_cast<float>(side / own);
             record.base_share = static_cast<float>(base / own);
             middle.y = half.y = 0.5;
@@ -236,19 +325,21 @@ private:
         return seen;
     }
 
+    const scene::Scene& scene_;
     World& world_;
     Colors& colors_;
     Diagnostics& diagnostics_;
+    double mesh_light_ = 0.0;  // mean luminance of the texture of the mesh that was placed last
 };
 
 }  // namespace
 
 void compile_emitters(const scene::Scene& scene, World& world, Colors& colors, Diagnostics& diagnostics) {
-    Emitters emitters(world, colors, diagnostics);
+    Emitters emitters(scene, world, colors, diagnostics);
     for (const scene::Light& light : scene.lights) {
         emitters.add_light(light);
     }
-    emitters.add_surroundings(scene.background);
+    emitters.add_sky();
     emitters.add_objects();
     emitters.finish();
 }

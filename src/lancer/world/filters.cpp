@@ -83,7 +83,8 @@ void compile_filter(const scene::RenderSettings& settings, World& world) {
     world.filter.weight = static_cast<float>(all / own);
     std::size_t slice = 0;
     for (int step = 0; step <= kernel::FILTER_STEPS; ++step) {
-        const double goal = all * step / kernel::FILTER_STEPS;
+        const double t = static_cast<double>(step) / kernel::FILTER_STEPS;
+        const double goal = all * (t < 0.5 ? 2.0 * t * t : 1.0 - 2.0 * (1.0 - t) * (1.0 - t));  // where to_even_ends is t
         while (slice + 1 < so_far.size() - 1 && so_far[slice + 1] <= goal) {
             ++slice;
         }

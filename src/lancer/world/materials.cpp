@@ -25,6 +25,11 @@ public:
             std::visit([&](const auto& model) { add(model, material.position); }, material.model);
             disperses = disperses || world_.media.back().dispersive != 0;
         }
+        for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
+            if (std::holds_alternative<scene::MixMaterial>(scene_.materials[i].model)) {
+                world_.media[i] = medium_of(static_cast<int>(i), 0);
+            }
+        }
         if (disperses) {
             for (const WavelengthBand& band : wavelength_bands(scene_.settings.wavelengths)) {
                 world_.bands.push_back({static_cast<float>(band.nanometres), to_float(band.weight)});
@@ -64,9 +69,20 @@ private:
     void add(const scene::PrincipledMaterial& material, const SourcePosition& position) {
         kernel::MediumRecord medium{};
         set_refraction(material.refraction, medium, position);
-        world_.has_transparency = world_.has_transparency || material.transmission > 0.0;
+        world_.has_transparency = world_.has_transparency || material.transmission.most() > 0.0;
         world_.materials.push_back(no_material());
         world_.media.push_back(medium);
+    }
+
+    // What fills a body of a mix: that of the first of its parts that lets light in.
+    kernel::MediumRecord medium_of(int number, int depth) const {
+        const auto at = static_cast<std::size_t>(number);
+        const auto* mix = std::get_if<scene::MixMaterial>(&scene_.materials[at].model);
+        if (!mix || depth > 32) {
+            return world_.media[at];
+        }
+        const kernel::MediumRecord first = medium_of(mix->first, depth + 1);
+        return first.refraction_a == kernel::vec3(0.0f) ? medium_of(mix->second, depth + 1) : first;
     }
 
     template <class Opaque>

@@ -59,7 +59,9 @@ class Shapes {
 public:
     Shapes(World& world, Diagnostics& diagnostics) : world_(world), diagnostics_(diagnostics) {}
 
-    void add(const FlatObject& flat) {
+    // `name`: into World::names.
+    void add(const FlatObject& flat, int name) {
+        name_ = name;
         const double determinant = glm::determinant(glm::dmat3(flat.to_world));
         if (!(std::abs(determinant) > 0.0) || !std::isfinite(determinant)) {
             diagnostics_.error(flat.object->position, "the transforms of this object together squeeze space flat or blow it up");
@@ -81,6 +83,7 @@ public:
         } else {
             for (std::size_t i = 0; i < world_.instances.size(); ++i) {
                 by_kind_[kernel::OBJECT_MESH].push_back({kernel::OBJECT_MESH, static_cast<int>(i), instance_materials_[i], 0, 0, 0, -1});
+                names_[kernel::OBJECT_MESH].push_back(instance_names_[i]);
             }
         }
         // The table of placed shapes holds several kinds: it is numbered in the order of its objects.
@@ -94,6 +97,9 @@ public:
                 world_.objects.push_back(object);
             }
         }
+        for (const auto& [kind, names] : names_) {
+            world_.object_names.insert(world_.object_names.end(), names.begin(), names.end());
+        }
         world_.placed = std::move(placed);
         if (!world_.positions.empty()) {
             world_.positions.emplace_back(0.0f);  // Embree reads 16 bytes at each vertex, four past the last one
@@ -103,9 +109,8 @@ public:
 private:
     bool keeps_own_space(const FlatObject& flat) const {
         const auto material = static_cast<std::size_t>(flat.material);
-        const bool textured =
-            world_.materials[material].texture >= 0 || (!world_.surfaces.empty() && world_.surfaces[material].color.texture >= 0);
-        return textured && !is_identity(flat.to_world);
+        const bool mapped = !world_.surfaces.empty() && (world_.surfaces[material].flags & kernel::MATERIAL_MAPPED) != 0;
+        return (world_.materials[material].texture >= 0 || mapped) && !is_identity(flat.to_world);
     }
 
     // Points are drawn from lamps in their canonical space.
@@ -125,6 +130,7 @@ private:
     template <class T>
     void add_record(std::vector<T>& table, int kind, const T& record, int material) {
         by_kind_[kind].push_back({kind, static_cast<int>(table.size()), material, 0, 0, 0, -1});
+        names_[kind].push_back(name_);
         table.push_back(record);
     }
 
@@ -213,6 +219,7 @@ private:
         const bool flips = glm::determinant(glm::dmat3(flat.to_world)) < 0.0;
         world_.instances.push_back({to_record(flat.to_world), to_record(glm::inverse(flat.to_world)), number, flips ? 1 : 0});
         instance_materials_.push_back(flat.material);
+        instance_names_.push_back(name_);
     }
 
     // A mesh's data stands in the tables once, smooth or flat.
@@ -234,14 +241,15 @@ private:
         world_.positions.insert(world_.positions.end(), data.positions.begin(), data.positions.end());
         if (mesh.smooth && !data.normals.empty()) {
             record.flags |= kernel::MESH_HAS_NORMALS;
-            world_.normals.resize(static_cast<std::size_t>(record.first_vertex));
-            world_.normals.insert(world_.normals.end(), data.normals.begin(), data.normals.end());
+            append(data.normals, static_cast<std::size_t>(record.first_vertex), world_.normals);
         }
-        if (!data.uvs.empty()) {
-            record.flags |= kernel::MESH_HAS_UVS;
-            world_.uvs.resize(static_cast<std::size_t>(record.first_vertex));
-            world_.uvs.insert(world_.uvs.end(), data.uvs.begin(), data.uvs.end());
-        }
+        const auto first_vertex = static_cast<std::size_t>(record.first_vertex);
+        record.flags |= append(data.uvs, first_vertex, world_.uvs) ? kernel::MESH_HAS_UVS : 0;
+        record.flags |= append(data.second_uvs, first_vertex, world_.second_uvs) ? kernel::MESH_HAS_SECOND_UVS : 0;
+        record.flags |= append(data.tangents, first_vertex, world_.tangents) ? kernel::MESH_HAS_TANGENTS : 0;
+        record.flags |= append(data.colors, first_vertex, world_.colors) ? kernel::MESH_HAS_COLORS : 0;
+        const auto first_triangle = static_cast<std::size_t>(record.first_triangle);
+        record.flags |= append(data.face_colors, first_triangle, world_.face_colors) ? kernel::MESH_HAS_FACE_COLORS : 0;
         world_.indices.reserve(world_.indices.size() + 3 * data.triangles.size());
         for (const glm::uvec3& triangle : data.triangles) {
             world_.indices.insert(world_.indices.end(),
@@ -251,6 +259,17 @@ private:
         world_.meshes.push_back(record);
         meshes_[key] = number;
         return number;
+    }
+
+    // Puts what the mesh has of something, if anything, at its place in the table.
+    template <class T>
+    static bool append(const std::vector<T>& values, std::size_t first, std::vector<T>& table) {
+        if (values.empty()) {
+            return false;
+        }
+        table.resize(first);
+        table.insert(table.end(), values.begin(), values.end());
+        return true;
     }
 
     // With the kernel's own arithmetic, so that the corners are the very ones that a tree would compare with.
@@ -267,6 +286,7 @@ private:
             by_kind_[kernel::OBJECT_TRIANGLE].push_back({kernel::OBJECT_TRIANGLE, static_cast<int>(world_.triangles.size()),
                                                          instance_materials_[static_cast<std::size_t>(instance)], placed.mesh, instance, i,
                                                          -1});
+            names_[kernel::OBJECT_TRIANGLE].push_back(instance_names_[static_cast<std::size_t>(instance)]);
             world_.triangles.push_back({corner(i, 0), corner(i, 1), corner(i, 2)});
         }
     }
@@ -275,15 +295,18 @@ private:
     Diagnostics& diagnostics_;
     std::map<int, std::vector<ObjectRecord>> by_kind_;
     std::map<std::pair<const scene::TriangleMesh*, bool>, int> meshes_;
+    std::map<int, std::vector<int>> names_;  // of by_kind_'s objects
     std::vector<int> instance_materials_;
+    std::vector<int> instance_names_;
+    int name_ = 0;  // of the object that is being added
 };
 
 }  // namespace
 
 void compile_shapes(const std::vector<FlatObject>& flat, World& world, Diagnostics& diagnostics) {
     Shapes shapes(world, diagnostics);
-    for (const FlatObject& object : flat) {
-        shapes.add(object);
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+        shapes.add(flat[i], static_cast<int>(i));
     }
     shapes.finish();
 }

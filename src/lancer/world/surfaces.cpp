@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,8 @@ namespace lancer {
 
 namespace {
 
+double square(double x) { return x * x; }
+
 class Surfaces {
 public:
     Surfaces(World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics)
@@ -21,6 +24,7 @@ public:
     void add(const scene::Material& material) {
         position_ = &material.position;
         kernel::MaterialRecord record{};
+        record.first_input = static_cast<int>(world_.inputs.size());
         record.color = colors_.constant(0.0);
         record.index = colors_.constant(1.0);
         record.extinction = colors_.constant(0.0);
@@ -31,6 +35,7 @@ public:
         } else {
             std::visit([&](const auto& model) { set(model, record); }, material.model);
         }
+        record.input_count = record.mix_first > 0 ? 0 : static_cast<int>(world_.inputs.size()) - record.first_input;
         if (material.emission) {
             record.emission = colors_.light(textures_.add(material.emission->radiance), material.emission->strength);
             record.flags |= kernel::MATERIAL_EMITS;
@@ -38,10 +43,59 @@ public:
                 record.flags |= kernel::MATERIAL_EMITS_BEHIND;
             }
         }
+        if (!material.is_default) {
+            set_sides(material, record);
+            set_relief(material.relief, record);
+        }
+        mark(record);
         world_.surfaces.push_back(record);
     }
 
+    // What one material takes over from others.
+    void finish(const scene::Scene& scene) {
+        for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+            kernel::MaterialRecord& record = world_.surfaces[i];
+            if ((record.flags & kernel::MATERIAL_CHOOSES) == 0) {
+                continue;
+            }
+            std::vector<int> parts;
+            collect(static_cast<int>(i), scene.materials[i].position, 0, parts);
+            for (const int part : parts) {
+                const kernel::MaterialRecord& child = world_.surfaces[static_cast<std::size_t>(part)];
+                if (part != static_cast<int>(i) && ((child.flags & (kernel::MATERIAL_EMITS | kernel::MATERIAL_CUT)) != 0)) {
+                    diagnostics_.error(
+                        scene.materials[static_cast<std::size_t>(part)].position,
+                        "a material within a mix, or behind another one, neither shines nor has an opacity: the outer one may");
+                }
+                // The point is found once for all of them.
+                record.flags |= child.flags & (kernel::MATERIAL_MAPPED | kernel::MATERIAL_TINTED);
+                if (record.clear_distance <= 0.0f && child.clear_distance > 0.0f && record.mix_first > 0) {
+                    record.clear_distance = child.clear_distance;
+                    record.clearness = child.clearness;
+                }
+            }
+        }
+    }
+
 private:
+    // All materials that may be met where `number` is, itself first. Too deep a nesting is a mix that contains itself.
+    void collect(int number, const SourcePosition& position, int depth, std::vector<int>& parts) {
+        if (depth > 32 || parts.size() > 1024) {
+            if (!endless_) {
+                diagnostics_.error(position, "this material contains itself, or mixes are nested more than 32 deep");
+            }
+            endless_ = true;
+            return;
+        }
+        parts.push_back(number);
+        const kernel::MaterialRecord record = world_.surfaces[static_cast<std::size_t>(number)];
+        for (const int child : {record.behind, record.mix_first, record.mix_second}) {
+            if (child > 0) {
+                collect(child - 1, position, depth + 1, parts);
+            }
+        }
+    }
+
     void set(const scene::WhittedMaterial&, kernel::MaterialRecord&) {
         diagnostics_.error(
             *position_,
@@ -49,9 +103,9 @@ private:
     }
 
     void set(const scene::DiffuseMaterial& material, kernel::MaterialRecord& record) {
-        record.kind = material.roughness > 0.0 ? kernel::BSDF_ROUGH_DIFFUSE : kernel::BSDF_DIFFUSE;
+        record.kind = material.roughness.most() > 0.0 ? kernel::BSDF_ROUGH_DIFFUSE : kernel::BSDF_DIFFUSE;
         record.color = colors_.reflectance(textures_.add(material.color));
-        record.roughness_x = static_cast<float>(material.roughness);
+        record.roughness_x = take(material.roughness, kernel::INPUT_ROUGHNESS, 1.0);
     }
 
     void set(const scene::ConductorMaterial& material, kernel::MaterialRecord& record) {
@@ -94,20 +148,68 @@ private:
     void set(const scene::PrincipledMaterial& material, kernel::MaterialRecord& record) {
         record.kind = kernel::BSDF_PRINCIPLED;
         record.color = colors_.reflectance(textures_.add(material.color));
-        record.index = colors_.reflectance(material.sheen);
-        record.extinction = colors_.reflectance(material.specular);
+        record.index = colors_.reflectance(textures_.add(material.sheen));
+        record.extinction = colors_.reflectance(textures_.add(material.specular));
         record.eta = static_cast<float>(material.refraction);
-        record.metalness = static_cast<float>(material.metalness);
-        record.transmission = static_cast<float>(material.transmission);
-        record.coat = static_cast<float>(material.coat);
-        record.coat_roughness = static_cast<float>(material.coat_roughness * material.coat_roughness);
+        set_roughness(material.roughness, material.anisotropy, record);
+        record.metalness = take(material.metalness, kernel::INPUT_METALNESS);
+        record.transmission = take(material.transmission, kernel::INPUT_TRANSMISSION);
+        record.coat = take(material.coat, kernel::INPUT_COAT);
+        record.coat_roughness =
+            static_cast<float>(square(static_cast<double>(take(material.coat_roughness, kernel::INPUT_COAT_ROUGHNESS))));
         record.coat_index = 1.5f;
-        record.sheen_roughness = static_cast<float>(material.sheen_roughness);
-        record.film_thickness = static_cast<float>(material.film);
+        record.sheen_roughness = take(material.sheen_roughness, kernel::INPUT_SHEEN_ROUGHNESS);
+        record.film_thickness = take(material.film, kernel::INPUT_FILM);
         record.film_index = static_cast<float>(material.film_refraction);
         record.flags |= material.thin ? kernel::MATERIAL_THIN : 0;
-        set_roughness(material.roughness, material.anisotropy, record);
         set_absorption(material.absorption, record);
+    }
+
+    void set(const scene::MixMaterial& material, kernel::MaterialRecord& record) {
+        record.mix_first = 1 + material.first;
+        record.mix_second = 1 + material.second;
+        record.mix_share = static_cast<float>(material.share.number);
+        record.mix_input = refer(material.share, kernel::INPUT_SHARE);
+        record.flags |= kernel::MATERIAL_CHOOSES;
+    }
+
+    void set_sides(const scene::Material& material, kernel::MaterialRecord& record) {
+        record.flags |= material.one_sided ? kernel::MATERIAL_ONE_SIDED : 0;
+        if (material.behind) {
+            record.behind = 1 + *material.behind;
+            record.flags |= kernel::MATERIAL_CHOOSES;
+        }
+        record.opacity = static_cast<float>(material.opacity.number);
+        if (material.opacity.texture || material.opacity.number < 1.0) {
+            record.opacity_input = refer(material.opacity, kernel::INPUT_OPACITY);
+            record.opacity_cutoff = static_cast<float>(material.opacity_cutoff);
+            record.flags |= kernel::MATERIAL_CUT;
+            world_.has_cuts = true;
+        }
+        world_.has_choices = world_.has_choices || (record.flags & kernel::MATERIAL_CHOOSES) != 0;
+    }
+
+    void set_relief(const scene::Relief& relief, kernel::MaterialRecord& record) {
+        if (relief.normals) {
+            record.normal_map = 1 + textures_.add(*relief.normals).number;
+            const double scale = relief.flips_green ? -relief.scale : relief.scale;
+            record.normal_scale = kernel::vec2(static_cast<float>(relief.scale), static_cast<float>(scale));
+        }
+        if (relief.heights && relief.heights->texture) {
+            record.height_input = refer(*relief.heights, kernel::INPUT_HEIGHT);
+        }
+        if (record.normal_map > 0 || record.height_input > 0) {
+            record.flags |= kernel::MATERIAL_RELIEF | kernel::MATERIAL_MAPPED;
+        }
+    }
+
+    // 1 + the number of an input that the record refers to, 0 where the value is the same everywhere. After all that `take` takes.
+    int refer(const scene::Value& value, int kind) {
+        if (!value.texture) {
+            return 0;
+        }
+        take(value, kind);
+        return static_cast<int>(world_.inputs.size());
     }
 
     void set_absorption(const scene::Color& absorption, kernel::MaterialRecord& record) {
@@ -127,11 +229,46 @@ private:
         }
     }
 
-    static void set_roughness(double roughness, double anisotropy, kernel::MaterialRecord& record) {
-        const double alpha = roughness * roughness;
-        const double aspect = std::sqrt(1.0 - 0.9 * anisotropy);
-        record.roughness_x = static_cast<float>(std::min(alpha * aspect, 1.0));
-        record.roughness_y = static_cast<float>(std::min(alpha / aspect, 1.0));
+    // The number of a material, which stands in its record; where a texture gives it, `otherwise`, and the texture among the inputs.
+    float take(const scene::Value& value, int kind, double otherwise = 0.0) {
+        if (!value.texture) {
+            return static_cast<float>(value.number);
+        }
+        const CompiledTexture texture = textures_.add(*value.texture);
+        world_.inputs.push_back(
+            {kind, texture.number, static_cast<int>(value.channel), static_cast<float>(value.scale), static_cast<float>(value.offset)});
+        return static_cast<float>(otherwise);
+    }
+
+    // Before all other inputs, which do not build upon it.
+    void set_roughness(const scene::Value& roughness, const scene::Value& anisotropy, kernel::MaterialRecord& record) {
+        const double alpha = square(static_cast<double>(take(roughness, kernel::INPUT_ROUGHNESS, 1.0)));
+        const double aspect = std::sqrt(1.0 - 0.9 * static_cast<double>(take(anisotropy, kernel::INPUT_ANISOTROPY)));
+        // Where the kernel goes on with them they are not cut yet.
+        const double most = roughness.texture || anisotropy.texture ? 1e6 : 1.0;
+        record.roughness_x = static_cast<float>(std::min(alpha * aspect, most));
+        record.roughness_y = static_cast<float>(std::min(alpha / aspect, most));
+        if (anisotropy.most() != 0.0) {
+            record.flags |= kernel::MATERIAL_TURNED | kernel::MATERIAL_MAPPED;
+            world_.has_directions = true;
+        }
+    }
+
+    // What the record's textures need to know of a surface.
+    void mark(kernel::MaterialRecord& record) {
+        const auto look_at = [&](int number) {
+            if (number >= 0) {
+                const kernel::TextureRecord& texture = world_.textures[static_cast<std::size_t>(number)];
+                const bool of_mesh = texture.kind == kernel::TEXTURE_VERTEX_COLOR || texture.kind == kernel::TEXTURE_FACE_COLOR;
+                record.flags |= of_mesh ? kernel::MATERIAL_TINTED : kernel::MATERIAL_MAPPED;
+            }
+        };
+        for (const kernel::ColorRecord* color : {&record.color, &record.index, &record.extinction, &record.emission}) {
+            look_at(color->texture);
+        }
+        for (std::size_t i = static_cast<std::size_t>(record.first_input); i < world_.inputs.size(); ++i) {
+            look_at(world_.inputs[i].texture);
+        }
     }
 
     static scene::Rgb seen(const SpectralCurve& curve) { return glm::max(reflected_rgb(curve), scene::Rgb(0.0)); }
@@ -141,6 +278,7 @@ private:
     Colors& colors_;
     Diagnostics& diagnostics_;
     const SourcePosition* position_ = nullptr;
+    bool endless_ = false;
 };
 
 }  // namespace
@@ -150,6 +288,7 @@ void compile_surfaces(const scene::Scene& scene, World& world, Textures& texture
     for (const scene::Material& material : scene.materials) {
         surfaces.add(material);
     }
+    surfaces.finish(scene);
 }
 
 }  // namespace lancer

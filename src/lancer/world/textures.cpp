@@ -1,11 +1,36 @@
 #include "lancer/world/textures.h"
 
-#include <limits>
+#include <cmath>
 #include <stdexcept>
 
-#include "lancer/image/image.h"
+#include <glm/trigonometric.hpp>
+
+#include "lancer/world/texels.h"
 
 namespace lancer {
+
+namespace {
+
+int wrap_of(scene::Wrap wrap) {
+    return wrap == scene::Wrap::repeat ? kernel::WRAP_REPEAT : wrap == scene::Wrap::clamp ? kernel::WRAP_CLAMP : kernel::WRAP_MIRROR;
+}
+
+int look_of(scene::Filter filter) {
+    return filter == scene::Filter::nearest    ? kernel::LOOK_NEAREST
+           : filter == scene::Filter::bilinear ? kernel::LOOK_BILINEAR
+                                               : kernel::LOOK_MIPMAPS;
+}
+
+kernel::TextureRecord plain_texture(int kind) {
+    kernel::TextureRecord texture{};
+    texture.kind = kind;
+    texture.size = 1.0f;
+    texture.row_u = kernel::vec3(1.0f, 0.0f, 0.0f);
+    texture.row_v = kernel::vec3(0.0f, 1.0f, 0.0f);
+    return texture;
+}
+
+}  // namespace
 
 CompiledTexture Textures::add(const scene::Texture& texture) {
     return std::visit([&](const auto& kind) { return compile(kind); }, texture);
@@ -14,28 +39,33 @@ CompiledTexture Textures::add(const scene::Texture& texture) {
 CompiledTexture Textures::compile(const scene::Color& color) { return {-1, color}; }
 
 CompiledTexture Textures::compile(const scene::Checker& checker) {
-    kernel::TextureRecord texture{};
-    texture.kind = checker.solid ? kernel::TEXTURE_CHECKER_SOLID : kernel::TEXTURE_CHECKER_UV;
+    kernel::TextureRecord texture = plain_texture(checker.solid ? kernel::TEXTURE_CHECKER_SOLID : kernel::TEXTURE_CHECKER_UV);
     texture.first = kernel::vec3(checker.first);
     texture.second = kernel::vec3(checker.second);
     texture.size = static_cast<float>(checker.size);
     return push(texture);
 }
 
+CompiledTexture Textures::compile(const scene::MeshColors& colors) {
+    return push(plain_texture(colors.of_faces ? kernel::TEXTURE_FACE_COLOR : kernel::TEXTURE_VERTEX_COLOR));
+}
+
 CompiledTexture Textures::compile(const scene::ImageTexture& image) {
-    kernel::TextureRecord texture{};
-    texture.kind = kernel::TEXTURE_IMAGE;
+    kernel::TextureRecord texture = plain_texture(kernel::TEXTURE_IMAGE);
     const Texels texels = load(image);
-    texture.first_texel = texels.first;
-    texture.width = texels.width;
-    texture.height = texels.height;
-    texture.size = 1.0f;
-    texture.wrap = image.wrap == scene::Wrap::repeat  ? kernel::WRAP_REPEAT
-                   : image.wrap == scene::Wrap::clamp ? kernel::WRAP_CLAMP
-                                                      : kernel::WRAP_MIRROR;
-    texture.nearest = image.filter == scene::Filter::nearest ? 1 : 0;
-    texture.scale = kernel::vec2(image.scale);
-    texture.offset = kernel::vec2(image.offset);
+    texture.storage = texels.storage;
+    texture.encoded = texels.encoded ? 1 : 0;
+    texture.first_level = texels.first_level;
+    texture.level_count = texels.level_count;
+    texture.wrap_u = wrap_of(image.wrap);
+    texture.wrap_v = wrap_of(image.wrap_v.value_or(image.wrap));
+    texture.look = look_of(image.filter);
+    texture.uv_set = image.uv_set;
+    const double angle = glm::radians(image.rotation);
+    const double cosine = image.rotation == 0.0 ? 1.0 : std::cos(angle);
+    const double sine = image.rotation == 0.0 ? 0.0 : std::sin(angle);
+    texture.row_u = kernel::vec3(glm::dvec3(cosine * image.scale.x, -sine * image.scale.y, image.offset.x));
+    texture.row_v = kernel::vec3(glm::dvec3(sine * image.scale.x, cosine * image.scale.y, image.offset.y));
     return push(texture);
 }
 
@@ -45,25 +75,19 @@ CompiledTexture Textures::push(const kernel::TextureRecord& texture) {
 }
 
 Textures::Texels Textures::load(const scene::ImageTexture& image) {
-    const auto key = std::make_pair(image.file, image.linear);
+    const bool halves = image.filter == scene::Filter::mipmaps;
+    const auto key = std::make_tuple(image.file, image.linear, halves);
     if (const auto known = images_.find(key); known != images_.end()) {
         return known->second;
     }
-    Texels texels{0, 1, 1};
+    Texels texels;
     try {
-        const Image pixels = read_image(image.file, image.linear ? Encoding::linear : Encoding::automatic);
-        texels = {static_cast<int>(world_.texels.size()), pixels.width, pixels.height};
-        const std::size_t count = static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
-        if (world_.texels.size() + count > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-            throw std::runtime_error("the scene's images together have more than 2147483647 pixels");
-        }
-        const auto channels = static_cast<std::size_t>(pixels.channels);
-        const std::size_t colors = channels >= 3 ? 3 : 1;
-        world_.texels.reserve(world_.texels.size() + count);
-        for (std::size_t i = 0; i < count; ++i) {
-            const float* p = &pixels.pixels[i * channels];
-            world_.texels.push_back(colors == 3 ? kernel::vec3(p[0], p[1], p[2]) : kernel::vec3(p[0]));
-        }
+        const StoredPixels pixels = read_stored_pixels(image.file);
+        const bool encoded = !image.linear && pixels.bits != 0;
+        texels.storage = storage_of(pixels);
+        texels.encoded = encoded && pixels.bits == 8;
+        texels.first_level = static_cast<int>(world_.levels.size() / 3);
+        texels.level_count = add_texels(pixels, encoded, halves, world_);
     } catch (const std::runtime_error& problem) {
         diagnostics_.error(image.position, problem.what());
     }

@@ -3,7 +3,7 @@
 
 #include <map>
 #include <string>
-#include <utility>
+#include <tuple>
 
 #include "lancer/base/diagnostic.h"
 #include "lancer/scene/scene.h"
@@ -16,7 +16,7 @@ struct CompiledTexture {
     scene::Color color = scene::Rgb(1.0);  // 1 where there is a texture
 };
 
-// Fills world.textures and texels. Each image file is read once, however many materials use it.
+// Fills world.textures and the tables of texels. Each image file is read once, however many materials use it.
 class Textures {
 public:
     Textures(World& world, Diagnostics& diagnostics) : world_(world), diagnostics_(diagnostics) {}
@@ -24,21 +24,25 @@ public:
     CompiledTexture add(const scene::Texture& texture);
 
 private:
+    // A picture in the tables.
     struct Texels {
-        int first = 0;
-        int width = 0;
-        int height = 0;
+        int storage = 0;
+        bool encoded = false;
+        int first_level = 0;
+        int level_count = 0;
     };
 
+    Texels load(const scene::ImageTexture& image);
     CompiledTexture compile(const scene::Color& color);
     CompiledTexture compile(const scene::Checker& checker);
     CompiledTexture compile(const scene::ImageTexture& image);
+    CompiledTexture compile(const scene::MeshColors& colors);
     CompiledTexture push(const kernel::TextureRecord& texture);
-    Texels load(const scene::ImageTexture& image);
 
     World& world_;
     Diagnostics& diagnostics_;
-    std::map<std::pair<std::string, bool>, Texels> images_;
+    std::map<std::tuple<std::string, bool, bool>, Texels>
+        images_;  // by file, whether its colours are linear, and whether it has smaller copies
 };
 
 }  // namespace lancer

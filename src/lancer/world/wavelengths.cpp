@@ -60,9 +60,12 @@ Curve light_of(const World& world) {
         if (emitter.material >= 0) {
             lamps[emitter.material] += strength;
         } else if (emitter.kind == kernel::EMITTER_ENVIRONMENT) {
-            add(world.sky_zenith, strength / 3.0);
-            add(world.sky_horizon, strength / 3.0);
-            add(world.sky_nadir, strength / 3.0);
+            const bool gradient = world.sky.kind == kernel::SKY_GRADIENT;  // else all is under the light of the horizon
+            add(world.sky.horizon, strength * (gradient ? 0.5 : 1.0));
+            if (gradient) {
+                add(world.sky.zenith, strength * 0.25);
+                add(world.sky.nadir, strength * 0.25);
+            }
         } else {
             add(emitter.light, strength);
         }
@@ -74,6 +77,25 @@ Curve light_of(const World& world) {
         return unit_d65().on(fine_grid);
     }
     return sum;
+}
+
+// As a scene without spectra has it: the colour white.
+Curve daylight() {
+    const SmoothLight white = smooth_light(glm::dvec3(1.0));
+    Curve curve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        curve[i] = SmoothSpectrum{glm::dvec3(kernel::vec3(white.shape.coefficients))}.at(nanometre(i)) * unit_d65().at(nanometre(i));
+    }
+    return curve;
+}
+
+// What the eye sees of it; green counts less than its part, for red and blue share most of its wavelengths.
+Curve seen_of(const Curve& light, const World& world) {
+    Curve seen(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        seen[i] = light[i] * glm::dot(glm::abs(glm::dvec3(world.observer[i])), glm::dvec3(1.0, 0.75, 1.0));
+    }
+    return seen;
 }
 
 // A Gaussian of that standard deviation in nanometres.
@@ -139,23 +161,21 @@ void compile_wavelengths(World& world) {
         return;
     }
     const Curve light = light_of(world);
-    // Green less than its part, for red and blue share most of its wavelengths.
-    Curve wanted(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        wanted[i] = light[i] * glm::dot(glm::abs(glm::dvec3(world.observer[i])), glm::dvec3(1.0, 0.75, 1.0));
-    }
-    // A smooth density suits smooth light better, a sharp one the lines of fluorescent lamps.
-    double best_width = 0.0;
+    // A smooth density suits smooth light better, a sharp one the lines of fluorescent lamps; that of daylight, light with little blue.
+    Curve best;
     double least = 0.0;
-    for (const double width : {0.0, 8.0, 20.0}) {
-        set_density(width > 0.0 ? smoothed(wanted, width) : wanted, world);
-        const double variance = wavelength_variance(world, light);
-        if (width == 0.0 || variance < least) {
-            least = variance;
-            best_width = width;
+    for (const Curve& seen : {seen_of(light, world), seen_of(daylight(), world)}) {
+        for (const double width : {0.0, 8.0, 20.0}) {
+            const Curve wanted = width > 0.0 ? smoothed(seen, width) : seen;
+            set_density(wanted, world);
+            const double variance = wavelength_variance(world, light);
+            if (best.empty() || variance < least) {
+                least = variance;
+                best = wanted;
+            }
         }
     }
-    set_density(best_width > 0.0 ? smoothed(wanted, best_width) : wanted, world);
+    set_density(best, world);
 }
 
 }  // namespace lancer

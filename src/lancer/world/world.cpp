@@ -27,9 +27,18 @@ kernel::WorldRecord World::record() const {
     r.positions = positions.data();
     r.normals = normals.data();
     r.uvs = uvs.data();
+    r.second_uvs = second_uvs.data();
+    r.tangents = tangents.data();
+    r.colors = colors.data();
+    r.face_colors = face_colors.data();
     r.indices = indices.data();
     r.textures = textures.data();
+    r.levels = levels.data();
     r.texels = texels.data();
+    r.float_texels = float_texels.data();
+    r.sky_texels = sky_texels.data();
+    r.decoding = decoding.data();
+    r.inputs = inputs.data();
     r.materials = materials.data();
     r.media = media.data();
     r.surfaces = surfaces.data();
@@ -63,18 +72,19 @@ kernel::WorldRecord World::record() const {
     r.environment = environment;
     r.spectral = spectral ? 1 : 0;
     r.max_depth = max_depth;
+    r.limits = limits;
+    r.ways = ways;
     r.filter_record = filter;
     r.seed = seed;
-    r.sky_zenith = sky_zenith;
-    r.sky_horizon = sky_horizon;
-    r.sky_nadir = sky_nadir;
+    r.sky = sky;
     r.bounces = bounces;
     r.min_weight = min_weight;
+    r.beam = beam;
+    r.has_choices = has_choices ? 1 : 0;
+    r.has_cuts = has_cuts ? 1 : 0;
+    r.has_directions = has_directions ? 1 : 0;
     r.has_transparency = has_transparency ? 1 : 0;
     r.ambient = ambient;
-    r.zenith = zenith;
-    r.horizon = horizon;
-    r.nadir = nadir;
     r.camera = camera;
     return r;
 }
@@ -82,8 +92,44 @@ kernel::WorldRecord World::record() const {
 std::size_t World::memory() const {
     return bytes(spheres) + bytes(boxes) + bytes(planes) + bytes(placed) + bytes(triangles) + bytes(meshes) + bytes(instances) +
            bytes(objects) + bytes(positions) + bytes(normals) + bytes(uvs) + bytes(indices) + bytes(textures) + bytes(texels) +
-           bytes(materials) + bytes(media) + bytes(surfaces) + bytes(emitters) + bytes(distributions) + bytes(curves) + bytes(observer) +
-           bytes(lights) + bytes(bands);
+           bytes(float_texels) + bytes(sky_texels) + bytes(second_uvs) + bytes(tangents) + bytes(colors) + bytes(face_colors) +
+           bytes(levels) + bytes(inputs) + bytes(materials) + bytes(media) + bytes(surfaces) + bytes(emitters) + bytes(distributions) +
+           bytes(curves) + bytes(observer) + bytes(lights) + bytes(bands);
+}
+
+namespace {
+
+const std::string& name_at(const std::vector<std::string>& names, int number) {
+    static const std::string nameless = "nameless";
+    return number >= 0 && static_cast<std::size_t>(number) < names.size() ? names[static_cast<std::size_t>(number)] : nameless;
+}
+
+}  // namespace
+
+const std::string& World::object_name(int object) const {
+    const bool known = object >= 0 && static_cast<std::size_t>(object) < object_names.size();
+    return name_at(names, known ? object_names[static_cast<std::size_t>(object)] : -1);
+}
+
+const std::string& World::material_name(int material) const { return name_at(material_names, material); }
+
+const char* World::object_kind(int object) const {
+    switch (objects.at(static_cast<std::size_t>(object)).kind) {
+        case kernel::OBJECT_SPHERE:
+        case kernel::OBJECT_PLACED_SPHERE:
+            return "sphere";
+        case kernel::OBJECT_BOX:
+        case kernel::OBJECT_PLACED_BOX:
+            return "box";
+        case kernel::OBJECT_PLANE:
+            return "plane";
+        case kernel::OBJECT_PLACED_DISK:
+            return "disk";
+        case kernel::OBJECT_PLACED_CONE:
+            return "cone";
+        default:
+            return "mesh";
+    }
 }
 
 bool World::is_small() const {

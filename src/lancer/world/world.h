@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "lancer/kernel/records.h"
@@ -29,9 +30,18 @@ public:
     std::vector<kernel::vec3> positions;  // and one more at the end, which no triangle uses
     std::vector<kernel::vec3> normals;    // as long as positions where any mesh has normals
     std::vector<kernel::vec2> uvs;        // as long as positions where any mesh has texture coordinates
+    std::vector<kernel::vec2> second_uvs;
+    std::vector<kernel::vec4> tangents;
+    std::vector<kernel::vec4> colors;
+    std::vector<kernel::vec4> face_colors;  // as long as the triangles where any mesh has colours of faces
     std::vector<int> indices;
     std::vector<kernel::TextureRecord> textures;
-    std::vector<kernel::vec3> texels;
+    std::vector<int> levels;  // of the textures' pictures, see TextureRecord
+    std::vector<int> texels;  // bytes, four to an int
+    std::vector<float> float_texels;
+    std::vector<kernel::vec3> sky_texels;  // linear RGB, rows from the top
+    std::vector<float> decoding;           // where bytes of some picture are sRGB
+    std::vector<kernel::InputRecord> inputs;
     std::vector<kernel::WhittedRecord> materials;
     std::vector<kernel::MediumRecord> media;       // of materials[i]
     std::vector<kernel::MaterialRecord> surfaces;  // of materials[i]
@@ -45,6 +55,15 @@ public:
     std::vector<kernel::LightRecord> lights;
     std::vector<kernel::BandRecord> bands;
 
+    // What the scene's author calls things: for each of objects, and for each of the scene's materials. Those without a name are called by their
+    // kind and number: "sphere 3", "material 2".
+    std::vector<std::string> names;
+    std::vector<int> object_names;  // into names
+    std::vector<std::string> material_names;
+    const std::string& object_name(int object) const;
+    const std::string& material_name(int material) const;
+    const char* object_kind(int object) const;  // "sphere", "triangle", ...
+
     // A sphere around each object, for small worlds only; padded to a multiple of 16 by spheres that nothing meets.
     std::vector<float> bound_x;
     std::vector<float> bound_y;
@@ -53,20 +72,21 @@ public:
 
     kernel::CameraRecord camera{};
     kernel::vec3 ambient{0.0f};
-    kernel::vec3 zenith{0.0f};
-    kernel::vec3 horizon{0.0f};
-    kernel::vec3 nadir{0.0f};
-    kernel::ColorRecord sky_zenith{};
-    kernel::ColorRecord sky_horizon{};
-    kernel::ColorRecord sky_nadir{};
+    kernel::SkyRecord sky{};
     kernel::FilterRecord filter{};
     bool spectral = false;
     bool chosen_by_strength = false;
     int environment = -1;
     int max_depth = 0;
+    kernel::PathLimits limits{};
+    int ways = kernel::WAYS_BOTH;
     int seed = 0;
     int bounces = 0;
     float min_weight = 0.0f;
+    float beam = 0.0f;
+    bool has_choices = false;
+    bool has_cuts = false;
+    bool has_directions = false;
     bool has_transparency = false;
 
     // All of it by address, as the kernel takes it.

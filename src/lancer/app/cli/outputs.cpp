@@ -11,6 +11,7 @@
 
 #include "lancer/base/file.h"
 #include "lancer/film/develop.h"
+#include "lancer/film/layered_picture.h"
 #include "lancer/render/threads.h"
 
 namespace lancer::app {
@@ -71,13 +72,13 @@ bool is_linear(const std::string& path) {
 
 namespace {
 
-ByteImage develop(const Film& film, double exposure, int threads) {
+ByteImage develop(const Film& film, const ViewTransform& view, int threads) {
     constexpr int rows = 16;
     ByteImage image{film.width, film.height, 3, std::vector<std::uint8_t>(film.radiance.size() * 3)};
     std::atomic<int> next{0};
     run_on_threads(threads, [&] {
         for (int first = next.fetch_add(rows); first < film.height; first = next.fetch_add(rows)) {
-            develop_rows(film, exposure, first, std::min(first + rows, film.height), image);
+            develop_rows(film, view, first, std::min(first + rows, film.height), image);
         }
     });
     return image;
@@ -85,9 +86,17 @@ ByteImage develop(const Film& film, double exposure, int threads) {
 
 }  // namespace
 
-void write_film(const std::string& path, const Film& film, const RenderOptions& options, const Metadata& metadata) {
+bool holds_layers(const std::string& path) { return file_ending(path) == ".exr"; }
+
+void write_film(const std::string& path, const Film& film, const Prepared& prepared, const FilmSums* sums) {
+    const Metadata& metadata = prepared.metadata;
     if (!is_linear(path)) {
-        write_image(path, develop(film, options.exposure, options.threads > 0 ? options.threads : hardware_threads()), metadata);
+        const int threads = prepared.options.threads > 0 ? prepared.options.threads : hardware_threads();
+        write_image(path, develop(film, prepared.view, threads), metadata);
+        return;
+    }
+    if (holds_layers(path) && sums != nullptr && !prepared.contents.is_plain()) {
+        write_layers(path, layered_picture(film, *sums, prepared.contents, prepared.names, metadata));
         return;
     }
     Image image{film.width, film.height, 3, {}};

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "lancer/app/prepare.h"
 #include "lancer/base/diagnostic.h"
 #include "lancer/film/film.h"
 #include "lancer/image/image.h"
-#include "lancer/render/render.h"
 
 namespace lancer::app {
 
@@ -21,8 +21,12 @@ bool is_picture(const std::string& path);  // by its ending
 // Whether the file holds linear light, for which exposure is the reader's business.
 bool is_linear(const std::string& path);
 
-// PNG and JPEG get the exposure. Works on the options' threads. Throws MachineFailure.
-void write_film(const std::string& path, const Film& film, const RenderOptions& options, const Metadata& metadata);
+// Whether the file can hold more than the picture itself.
+bool holds_layers(const std::string& path);
+
+// PNG and JPEG get the view and its exposure, EXR what `prepared` wants beside the picture, if there are sums. Works on the options' threads.
+// Throws MachineFailure.
+void write_film(const std::string& path, const Film& film, const Prepared& prepared, const FilmSums* sums = nullptr);
 
 // How many samples each pixel took: in PNG and JPEG grey, white for the pixel with the most; in the others the number itself.
 void write_sample_map(const std::string& path, const Film& film, const Metadata& metadata);

@@ -46,6 +46,8 @@ struct Times {  // seconds
     double write = 0.0;
 };
 
+nlohmann::ordered_json bad_samples_json(const BadSamples& bad, const World& world);
+
 nlohmann::ordered_json statistics_json(const Prepared& prepared, const RenderStatistics& done, const Times& times,
                                        const std::vector<std::string>& written) {
     return {
@@ -64,13 +66,15 @@ nlohmann::ordered_json statistics_json(const Prepared& prepared, const RenderSta
          {{"camera", done.rays.camera}, {"secondary", done.rays.secondary}, {"shadow", done.rays.shadow}, {"total", done.rays.total()}}},
         {"rays_per_second", static_cast<double>(done.rays.total()) / std::max(times.render, 1e-9)},
         {"pixels_that_are_not_numbers", done.bad_pixels},
+        {"bad_samples", bad_samples_json(done.bad_samples, *prepared.world)},
         {"seconds", {{"load", times.load}, {"prepare", times.prepare}, {"render", times.render}, {"write", times.write}}},
         {"written", written},
     };
 }
 
 // Writes what can be written, even after one file failed. False when any did.
-bool write_all(const Arguments& arguments, const Prepared& prepared, const Film& film, std::vector<std::string>& written) {
+bool write_all(const Arguments& arguments, const Prepared& prepared, const Film& film, const FilmSums* sums,
+               std::vector<std::string>& written) {
     bool complete = true;
     const auto attempt = [&](const std::string& path, const auto& write) {
         try {
@@ -82,7 +86,7 @@ bool write_all(const Arguments& arguments, const Prepared& prepared, const Film&
         }
     };
     for (const std::string& path : arguments.outputs) {
-        attempt(path, [&] { write_film(path, film, prepared.options, prepared.metadata); });
+        attempt(path, [&] { write_film(path, film, prepared, sums); });
     }
     if (arguments.sample_map) {
         attempt(*arguments.sample_map, [&] { write_sample_map(*arguments.sample_map, film, prepared.metadata); });
@@ -96,7 +100,9 @@ std::string summary(const Prepared& prepared, const RenderStatistics& done, cons
                                          with_prefix(static_cast<double>(done.rays.total()) / std::max(times.render, 1e-9), "rays"),
                                          done.threads, done.threads == 1 ? "thread" : "threads", prepared.device->description());
     const std::string files = written.empty() ? "Nothing" : fmt::format("{}", fmt::join(written, ", "));
-    return done.finished ? fmt::format("{} written: {}", files, work)
+    const std::uint64_t bad = done.bad_samples.count();
+    const std::string without = bad == 0 ? "" : fmt::format("; without {} bad {}", bad, bad == 1 ? "sample" : "samples");
+    return done.finished ? fmt::format("{} written: {}{}", files, work, without)
                          : fmt::format("Stopped; {} written as far as it came: {}", files, work);
 }
 
@@ -123,7 +129,82 @@ std::optional<std::string> sort_files(Arguments& arguments) {
     return std::nullopt;
 }
 
+void print_aovs() {
+    for (const AovKind& kind : aov_kinds()) {
+        fmt::print("{:<12} {:<22} {}\n", kind.name, kind.channels, kind.help);
+    }
+}
+
+// What only EXR files can hold needs one.
+void check_contents(const Arguments& arguments, const PictureContents& contents, Diagnostics& diagnostics) {
+    const bool has_more = !contents.aovs.empty() || contents.spectral_bins > 0;
+    if (!has_more || std::any_of(arguments.outputs.begin(), arguments.outputs.end(), holds_layers)) {
+        return;
+    }
+    const std::string sentence = "only EXR files hold AOVs and spectra, and none is written: name one, such as -o picture.exr";
+    if (!arguments.render.aovs.empty() || arguments.render.spectral_bins) {
+        diagnostics.error({}, sentence);
+    } else {
+        diagnostics.warning({}, sentence);
+    }
+}
+
+const char* in_words(PathFault::What what) {
+    switch (what) {
+        case PathFault::What::not_a_number:
+            return "not a number";
+        case PathFault::What::infinite:
+            return "infinite";
+        case PathFault::What::negative:
+            return "negative";
+        case PathFault::What::none:
+            break;
+    }
+    return "wrong";
+}
+
+std::string where(const PathFault& fault, const World& world) {
+    return fault.object < 0
+               ? std::string("from the surroundings")
+               : fmt::format("at vertex {}, on the {} \"{}\" of material \"{}\"", fault.vertex + 1, world.object_kind(fault.object),
+                             world.object_name(fault.object), world.material_name(fault.material));
+}
+
+void report_bad_samples(const BadSamples& bad, const World& world) {
+    if (bad.count() == 0) {
+        return;
+    }
+    fmt::print(stderr, "lancer: warning: the light of {} was not a number, infinite or negative; the picture is made without {}\n",
+               bad.count() == 1 ? "1 sample" : fmt::format("{} samples", bad.count()), bad.count() == 1 ? "it" : "them");
+    for (const BadSample& sample : bad.first()) {
+        fmt::print(stderr, "  pixel ({}, {}), sample {}: {} {}\n", sample.x, sample.y, sample.sample, in_words(sample.fault.what),
+                   where(sample.fault, world));
+    }
+    if (bad.count() > bad.first().size()) {
+        fmt::print(stderr, "  and {} more\n", bad.count() - bad.first().size());
+    }
+}
+
+nlohmann::ordered_json bad_samples_json(const BadSamples& bad, const World& world) {
+    nlohmann::ordered_json first = nlohmann::ordered_json::array();
+    for (const BadSample& sample : bad.first()) {
+        first.push_back({{"x", sample.x},
+                         {"y", sample.y},
+                         {"sample", sample.sample},
+                         {"what", in_words(sample.fault.what)},
+                         {"vertex", sample.fault.vertex + 1},
+                         {"object", sample.fault.object < 0 ? "" : world.object_name(sample.fault.object)},
+                         {"kind", sample.fault.object < 0 ? "" : world.object_kind(sample.fault.object)},
+                         {"material", sample.fault.object < 0 ? "" : world.material_name(sample.fault.material)}});
+    }
+    return {{"count", bad.count()}, {"first", first}};
+}
+
 int render_scene(const CLI::App& app, Arguments arguments) {
+    if (arguments.render.aovs == std::vector<std::string>{"list"}) {
+        print_aovs();
+        return exit_done;
+    }
     if (const auto sentence = sort_files(arguments)) {
         return refuse(*sentence, app);
     }
@@ -150,17 +231,25 @@ int render_scene(const CLI::App& app, Arguments arguments) {
         prepared = prepare(std::move(*scene), arguments.render, render_command(file, arguments.render), diagnostics);
     }
     times.prepare = seconds_since(prepare_start);
+    if (prepared) {
+        check_contents(arguments, prepared->contents, diagnostics);
+    }
     print_diagnostics(diagnostics, arguments.quiet);
-    if (!prepared) {
+    if (!prepared || diagnostics.has_errors()) {
         return exit_bad_input;
     }
 
     Film film(prepared->options.width, prepared->options.height);
+    std::optional<FilmSums> sums;
+    if (!prepared->contents.is_plain()) {
+        sums.emplace(film.width, film.height, layers_for(prepared->contents));
+    }
     const ProgressStyle style = choose_progress(arguments.progress, arguments.quiet);
     RenderProgressPrinter printer(style, file);
-    const RenderStatistics done = render(*prepared->device, prepared->options, film, &printer, &interrupted);
+    const RenderStatistics done = render(*prepared->device, prepared->options, film, &printer, &interrupted, sums ? &*sums : nullptr);
     printer.clear();
     times.render = done.seconds;
+    report_bad_samples(done.bad_samples, *prepared->world);
     if (done.bad_pixels > 0) {
         fmt::print(stderr, "lancer: warning: {} of the picture {} not a number; the first is at ({}, {}), counted from the upper left\n",
                    done.bad_pixels == 1 ? "1 pixel" : fmt::format("{} pixels", done.bad_pixels), done.bad_pixels == 1 ? "is" : "are",
@@ -169,7 +258,7 @@ int render_scene(const CLI::App& app, Arguments arguments) {
 
     const auto write_start = Clock::now();
     std::vector<std::string> written;
-    bool complete = write_all(arguments, *prepared, film, written);
+    bool complete = write_all(arguments, *prepared, film, sums ? &*sums : nullptr, written);
     times.write = seconds_since(write_start);
     const nlohmann::ordered_json statistics = statistics_json(*prepared, done, times, written);
     if (arguments.stats) {
@@ -202,6 +291,7 @@ void add_render(CLI::App& program, Work& work) {
     add_choice(*app, "--progress", arguments->progress, {"bar", "plain", "json"}, "How progress is told, on standard error");
     app->add_flag("--quiet", arguments->quiet, "Say nothing but warnings and errors");
     add_render_options(*app, arguments->render);
+    add_file_options(*app, arguments->render);
     app->footer("Example:\n  lancer render scenes/report/figure-1.toml --size 1920x1080 --ssaa 4 -o figure-1.png -o figure-1.exr");
     app->callback([app, arguments, &work] { work = [app, arguments] { return render_scene(*app, *arguments); }; });
 }

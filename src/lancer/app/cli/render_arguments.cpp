@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "lancer/app/cli/import_arguments.h"
+#include "lancer/image/view.h"
 #include "lancer/render/render.h"
 #include "lancer/world/compile.h"
 
@@ -25,8 +26,20 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
     add_real(app, "--exposure", arguments.exposure, -100.0, 100.0,
              "Stops by which PNG and JPEG are brightened; EXR, HDR and TIFF keep the light as it is")
         ->group("Picture");
-    add_choice(app, "--integrator", arguments.integrator, {"auto", "whitted", "path"}, "How light is followed")->group("Light");
+    add_choice(app, "--view", arguments.view, view_names(), "How PNG, JPEG and the window show what is too bright for a display")
+        ->group("Picture");
+    add_choice(app, "--integrator", arguments.integrator, {"auto", "whitted", "path", "direct"}, "How light is followed")->group("Light");
     add_whole(app, "--bounces", arguments.bounces, 0, max_path_bounces, "How often light goes on after the first hit, at most")
+        ->group("Light");
+    add_whole(app, "--diffuse-bounces", arguments.diffuse_bounces, 0, max_path_bounces, "How many of them off matt surfaces (path)")
+        ->group("Light");
+    add_whole(app, "--glossy-bounces", arguments.glossy_bounces, 0, max_path_bounces, "How many of them off mirrors and gloss (path)")
+        ->group("Light");
+    add_whole(app, "--transmission-bounces", arguments.transmission_bounces, 0, max_path_bounces,
+              "How many of them through surfaces (path)")
+        ->group("Light");
+    add_choice(app, "--direct-samples", arguments.direct_samples, {"mis", "emitter", "bsdf"},
+               "How lamps are found: both ways together, by asking lamps, by scattered rays (direct)")
         ->group("Light");
     add_whole(app, "--spp", arguments.spp, 1, 1 << 20, "Samples a pixel (path)")->group("Light");
     app.add_flag("--rgb", arguments.rgb, "Paths carry linear RGB instead of wavelengths: quicker, less right (path)")->group("Light");
@@ -47,6 +60,18 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
     add_import_options(app, arguments.import);
 }
 
+void add_file_options(CLI::App& app, RenderArguments& arguments) {
+    app.add_option("--aov", arguments.aovs,
+                   "What EXR files hold beside the picture, such as albedo,normal,depth; \"--aov list\" tells all (path)")
+        ->type_name("NAME,NAME")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->group("EXR files");
+    add_whole(app, "--spectral-bins", arguments.spectral_bins, 0, 471, "Channels of spectral radiance, evenly from 360 to 830 nm (path)")
+        ->group("EXR files");
+    app.add_flag("--float", arguments.wide, "32-bit floats instead of halves")->group("EXR files");
+}
+
 std::vector<std::string> words_of(const RenderArguments& arguments) {
     std::vector<std::string> words = words_of(arguments.import);
     const auto add = [&](const char* name, const auto& value) {
@@ -65,8 +90,13 @@ std::vector<std::string> words_of(const RenderArguments& arguments) {
         words.push_back(CLI::detail::join(arguments.lights, ","));
     }
     add("--exposure", arguments.exposure);
+    add("--view", arguments.view);
     add("--integrator", arguments.integrator);
     add("--bounces", arguments.bounces);
+    add("--diffuse-bounces", arguments.diffuse_bounces);
+    add("--glossy-bounces", arguments.glossy_bounces);
+    add("--transmission-bounces", arguments.transmission_bounces);
+    add("--direct-samples", arguments.direct_samples);
     add("--spp", arguments.spp);
     if (arguments.rgb) {
         words.push_back("--rgb");
@@ -76,6 +106,14 @@ std::vector<std::string> words_of(const RenderArguments& arguments) {
     add("--ssaa", arguments.ssaa);
     add("--adaptive-threshold", arguments.adaptive_threshold);
     add("--adaptive-depth", arguments.adaptive_depth);
+    if (!arguments.aovs.empty()) {
+        words.push_back("--aov");
+        words.push_back(CLI::detail::join(arguments.aovs, ","));
+    }
+    add("--spectral-bins", arguments.spectral_bins);
+    if (arguments.wide) {
+        words.push_back("--float");
+    }
     return words;
 }
 

@@ -190,9 +190,9 @@ bool render_figure(const Job& job, const fs::path& folder, Overall& overall) {
     }
     const Figure& figure = *job.figure;
     const auto file = [&](const std::string& suffix) { return (folder / (figure.id + suffix + ".png")).string(); };
-    write_film(file(""), film, prepared.options, prepared.metadata);
+    write_film(file(""), film, prepared);
     if (figure.enlarged) {
-        write_film(file("-enlarged"), enlarge(film, *figure.enlarged), prepared.options, prepared.metadata);
+        write_film(file("-enlarged"), enlarge(film, *figure.enlarged), prepared);
     }
     if (figure.sample_map) {
         write_sample_map(file("-samples"), film, prepared.metadata);

@@ -64,7 +64,7 @@ private:
             return !glass->thin;
         }
         if (const auto* principled = std::get_if<scene::PrincipledMaterial>(&material.model)) {
-            return principled->transmission > 0.0 && !principled->thin;
+            return principled->transmission.most() > 0.0 && !principled->thin;
         }
         if (const auto* whitted = std::get_if<scene::WhittedMaterial>(&material.model)) {
             return whitted->transparency > 0.0;
@@ -110,7 +110,13 @@ private:
     static std::string said(const std::string& name) { return name.empty() ? "without a name" : "\"" + name + "\""; }
 
     void look_at_material(const scene::Material& material) {
-        std::visit([&](const auto& model) { look_at_color(model.color, material); }, material.model);
+        std::visit(
+            [&](const auto& model) {
+                if constexpr (requires { model.color; }) {
+                    look_at_color(model.color, material);
+                }
+            },
+            material.model);
         if (material.emission && !(material.emission->strength > 0.0)) {
             diagnostics_.warning(material.position, fmt::format("material {} shines with a strength of 0", said(material.name)));
         }

@@ -1,21 +1,24 @@
 #include "lancer/app/window/canvas.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "lancer/image/encode.h"
 
 namespace lancer::app {
 
-Canvas::Canvas(int width, int height, double exposure)
-    : width_(width), height_(height), scale_(static_cast<float>(std::exp2(exposure))), shown_(width, height),
-      pixels_(shown_.radiance.size(), 0xff000000u) {}
+Canvas::Canvas(int width, int height, const ViewTransform& view)
+    : width_(width), height_(height), view_(view), shown_(width, height), pixels_(shown_.radiance.size(), 0xff000000u) {}
 
-void Canvas::put(int x, int y, const glm::vec3& radiance) {
-    const auto byte = [&](float light) { return std::uint32_t{quantise_srgb(light * scale_)}; };
-    const std::size_t i = shown_.index(x, y);
-    shown_.radiance[i] = radiance;
-    pixels_[i] = 0xff000000u | byte(radiance.x) << 16 | byte(radiance.y) << 8 | byte(radiance.z);
+// The pixels of a row from x on.
+void Canvas::put_row(int x, int y, std::vector<glm::vec3> radiance) {
+    const std::size_t first = shown_.index(x, y);
+    std::copy(radiance.begin(), radiance.end(), shown_.radiance.begin() + static_cast<std::ptrdiff_t>(first));
+    view_.apply(radiance);
+    const auto byte = [](float light) { return std::uint32_t{quantise_srgb(light)}; };
+    for (std::size_t i = 0; i < radiance.size(); ++i) {
+        pixels_[first + i] = 0xff000000u | byte(radiance[i].x) << 16 | byte(radiance[i].y) << 8 | byte(radiance[i].z);
+    }
 }
 
 void Canvas::mark(const Tile& tile) {
@@ -32,10 +35,10 @@ void Canvas::mark(const Tile& tile) {
 void Canvas::tile_done(const Film& film, const Tile& tile, const RenderProgress& progress) {
     const std::scoped_lock lock(mutex_);
     for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; ++x) {
-            put(x, y, film.radiance[film.index(x, y)]);
-            shown_.samples[shown_.index(x, y)] = film.samples[film.index(x, y)];
-        }
+        const auto first = static_cast<std::ptrdiff_t>(film.index(tile.x0, y));
+        const auto row = film.radiance.begin() + first;
+        put_row(tile.x0, y, {row, row + tile.width()});
+        std::copy_n(film.samples.begin() + first, tile.width(), shown_.samples.begin() + first);
     }
     mark(tile);
     progress_ = progress;
@@ -44,9 +47,11 @@ void Canvas::tile_done(const Film& film, const Tile& tile, const RenderProgress&
 void Canvas::fill_with_preview(const Film& preview, int factor) {
     const std::scoped_lock lock(mutex_);
     for (int y = 0; y < height_; ++y) {
+        std::vector<glm::vec3> row;
         for (int x = 0; x < width_; ++x) {
-            put(x, y, preview.radiance[preview.index(x / factor, y / factor)]);
+            row.push_back(preview.radiance[preview.index(x / factor, y / factor)]);
         }
+        put_row(0, y, std::move(row));
     }
     mark({0, 0, width_, height_});
 }

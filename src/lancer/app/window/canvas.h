@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "lancer/film/film.h"
+#include "lancer/image/view.h"
 #include "lancer/render/render.h"
 
 namespace lancer::app {
 
 class Canvas : public RenderObserver {
 public:
-    // `exposure` in stops.
-    Canvas(int width, int height, double exposure);
+    Canvas(int width, int height, const ViewTransform& view);
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -35,12 +35,12 @@ public:
     Film snapshot() const;  // as it is shown
 
 private:
-    void put(int x, int y, const glm::vec3& radiance);  // `mutex_` is held
-    void mark(const Tile& tile);                        // `mutex_` is held
+    void put_row(int x, int y, std::vector<glm::vec3> radiance);  // `mutex_` is held
+    void mark(const Tile& tile);                                  // `mutex_` is held
 
     const int width_;
     const int height_;
-    const float scale_;
+    const ViewTransform view_;
 
     mutable std::mutex mutex_;  // guards all that follows
     Film shown_;

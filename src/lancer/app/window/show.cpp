@@ -34,7 +34,7 @@ int write_instead(const Prepared& prepared, const std::string& reason) {
     RenderProgressPrinter printer(choose_progress({}, false), prepared.scene.file);
     const RenderStatistics done = render(*prepared.device, prepared.options, film, &printer, &interrupt_flag());
     printer.clear();
-    write_film(save_as, film, prepared.options, prepared.metadata);
+    write_film(save_as, film, prepared);
     fmt::print("There is no display ({}): the picture{} was written to {}, {}x{} in {}.\n", reason,
                done.finished ? "" : ", as far as it came,", save_as, prepared.options.width, prepared.options.height,
                in_words(done.seconds));

@@ -61,8 +61,7 @@ SDL_Rect letterbox(int window_width, int window_height, int width, int height) {
 class Window {
 public:
     Window(const Prepared& prepared, const std::string& title, const std::string& save_as)
-        : prepared_(prepared), title_(title), save_as_(save_as),
-          canvas_(prepared.options.width, prepared.options.height, prepared.options.exposure) {
+        : prepared_(prepared), title_(title), save_as_(save_as), canvas_(prepared.options.width, prepared.options.height, prepared.view) {
         const SDL_Point size = window_size(canvas_.width(), canvas_.height());
         window_ = own(sdl().CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.x, size.y,
                                          SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI),
@@ -175,7 +174,7 @@ private:
 
     void save() {
         try {
-            write_film(save_as_, canvas_.snapshot(), prepared_.options, prepared_.metadata);
+            write_film(save_as_, canvas_.snapshot(), prepared_);
             fmt::print("Saved as {}\n", save_as_);
             note_ = "saved as " + save_as_;
         } catch (const MachineFailure& failure) {

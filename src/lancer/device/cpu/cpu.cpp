@@ -47,9 +47,14 @@ public:
         variant_.whitted(record_, points.data(), radiance.data(), points.size(), counts);
     }
 
-    void follow_paths(const PathRange& range, std::span<glm::vec3> radiance, RayCounts& counts) const override {
+    void trace_paths(const PathRange& range, const PathSamples& samples, RayCounts& counts) const override {
         const FlushDenormals flush;
-        variant_.paths(record_, range, radiance.data(), counts);
+        variant_.paths(record_, range, samples, counts);
+    }
+
+    PathFault find_fault(int x, int y, int sample) const override {
+        const FlushDenormals flush;
+        return variant_.fault(record_, x, y, sample);
     }
 
 private:

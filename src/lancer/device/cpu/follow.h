@@ -15,14 +15,17 @@ namespace lancer {
 using FollowFunction = void (*)(const kernel::WorldRecord& world, const glm::vec2* points, glm::vec3* radiance, std::size_t count,
                                 RayCounts& counts);
 
-// See Device::follow_paths.
-using FollowPathsFunction = void (*)(const kernel::WorldRecord& world, const PathRange& range, glm::vec3* radiance, RayCounts& counts);
+// See Device::trace_paths and Device::find_fault.
+using TracePathsFunction = void (*)(const kernel::WorldRecord& world, const PathRange& range, const PathSamples& samples,
+                                    RayCounts& counts);
+using FindFaultFunction = PathFault (*)(const kernel::WorldRecord& world, int x, int y, int sample);
 
 struct CpuVariant {
     const char* name;
     int lanes;
     FollowFunction whitted;
-    FollowPathsFunction paths;
+    TracePathsFunction paths;
+    FindFaultFunction fault;
 };
 
 // The best variant that this processor runs; `lanes` other than 0 asks for one with so many. Null where that one can't run here.

@@ -3,10 +3,11 @@
 // Paths are followed in batches, vertex by vertex: all first vertices of a batch, then all second ones, and so on. After each vertex the paths that
 // go on are moved together, so that registers stay full to the end, and neighbours stay neighbours as long as they can.
 #include <cstddef>
+#include <limits>
 
 #include "lancer/device/cpu/follow.h"
 #include "lancer/device/cpu/lane_hits.h"
-#include "lancer/kernel/path.h"
+#include "lancer/kernel/outcome.h"
 
 namespace lancer::LANCER_KERNEL {
 
@@ -55,23 +56,102 @@ FN PathState take_path(const PathBatch& batch, std::size_t place, Mask alive) {
     return path;
 }
 
-// What the lanes of `ended` have found.
-FN void put_radiance(const kernel::WorldRecord& world, const PathState& path, const UInt& slots, Mask ended, glm::vec3* radiance) {
-    const Vec3 rgb = spectrum_to_rgb(world, path.radiance, path.nanometres, ended) * path.weight;
+// The lanes of a vector, to be handed over one by one.
+struct LanesOf3 {
     alignas(64) float x[LANES];
     alignas(64) float y[LANES];
     alignas(64) float z[LANES];
+};
+
+FN void store_lanes(const Vec3& v, LanesOf3& lanes) {
+    v.x.store_aligned(lanes.x);
+    v.y.store_aligned(lanes.y);
+    v.z.store_aligned(lanes.z);
+}
+
+FN void set(glm::vec3& to, const LanesOf3& lanes, int lane) {
+    to.x = lanes.x[lane];
+    to.y = lanes.y[lane];
+    to.z = lanes.z[lane];
+}
+
+FN void put_colors(const Vec3& colors, const UInt& slots, Mask mask, glm::vec3* places) {
+    LanesOf3 rgb;
     alignas(64) std::uint32_t slot[LANES];
-    rgb.x.store_aligned(x);
-    rgb.y.store_aligned(y);
-    rgb.z.store_aligned(z);
+    store_lanes(colors, rgb);
     slots.store_aligned(slot);
-    for (unsigned left = mask_bits(ended); left != 0; left &= left - 1) {
+    for (unsigned left = mask_bits(mask); left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
-        glm::vec3& out = radiance[slot[lane]];
-        out.x = x[lane];
-        out.y = y[lane];
-        out.z = z[lane];
+        set(places[slot[lane]], rgb, lane);
+    }
+}
+
+FN void put_spectra(const WorldRecord& world, const PathState& path, const UInt& slots, Mask mask, SpectralSample* places) {
+    const Spectrum power = power_in_pixel(world, path, mask);
+    const Float numbers[8] = {power.x,           power.y,           power.z,           power.w,
+                              path.nanometres.x, path.nanometres.y, path.nanometres.z, path.nanometres.w};
+    alignas(64) float lanes[8][LANES];
+    alignas(64) std::uint32_t slot[LANES];
+    for (int i = 0; i < 8; ++i) {
+        numbers[i].store_aligned(lanes[i]);
+    }
+    slots.store_aligned(slot);
+    for (unsigned left = mask_bits(mask); left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        SpectralSample& place = places[slot[lane]];
+        place.power.x = lanes[0][lane];
+        place.power.y = lanes[1][lane];
+        place.power.z = lanes[2][lane];
+        place.power.w = lanes[3][lane];
+        place.nanometres.x = lanes[4][lane];
+        place.nanometres.y = lanes[5][lane];
+        place.nanometres.z = lanes[6][lane];
+        place.nanometres.w = lanes[7][lane];
+    }
+}
+
+// What the lanes of `ended` have found.
+FN void put_radiance(const kernel::WorldRecord& world, const PathState& path, const UInt& slots, Mask ended, const PathSamples& samples) {
+    const Vec3 rgb = light_in_pixel(world, path, path.radiance, ended);
+    const Vec3 none = vec3_all(Float(std::numeric_limits<float>::quiet_NaN()));
+    put_colors(select(is_sound(path.radiance), rgb, none), slots, ended, samples.radiance.data());
+    if (!samples.spectra.empty()) {
+        put_spectra(world, path, slots, ended, samples.spectra.data());
+    }
+}
+
+FN void put_first_hits(const kernel::WorldRecord& world, const PathState& path, const Sight& sight, const Vec3& view, const UInt& slots,
+                       Mask alive, FirstHit* places) {
+    const PathVertex& vertex = sight.vertex;
+    Vec3 normal = select(dot(vertex.point.shading, view) > Float(0.0f), -vertex.point.shading, vertex.point.shading);
+    LanesOf3 albedo, normals, position, uv_depth;
+    alignas(64) float weight[LANES];
+    alignas(64) std::int32_t object[LANES];
+    alignas(64) std::int32_t material[LANES];
+    alignas(64) std::uint32_t slot[LANES];
+    store_lanes(vertex.albedo, albedo);
+    store_lanes(normal, normals);
+    store_lanes(vertex.point.position, position);
+    store_lanes(vec3_of(vertex.uv.x, vertex.uv.y, depth_of(world.camera, vertex.point.position)), uv_depth);
+    path.weight.store_aligned(weight);
+    sight.hit.object.store_aligned(object);
+    vertex.material.store_aligned(material);
+    slots.store_aligned(slot);
+    for (unsigned left = mask_bits(alive); left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        FirstHit hit;
+        hit.weight = weight[lane];
+        if (object[lane] >= 0) {
+            set(hit.albedo, albedo, lane);
+            set(hit.normal, normals, lane);
+            set(hit.position, position, lane);
+            hit.uv.x = uv_depth.x[lane];
+            hit.uv.y = uv_depth.y[lane];
+            hit.depth = uv_depth.z[lane];
+            hit.object = object[lane];
+            hit.material = material[lane];
+        }
+        places[slot[lane]] = hit;
     }
 }
 
@@ -83,27 +163,59 @@ FN Mask first_lanes(std::size_t count) {
     return Float::load_aligned(number) < Float(static_cast<float>(count));
 }
 
+// One call's work: what is asked for, of which world.
+struct PathWork {
+    const kernel::WorldRecord& world;
+    kernel::WorldRecord watched;  // the same, whose steps tell what they meet
+    const PathSamples& samples;
+    PathBatch& batch;
+};
+
 // One vertex of the paths in a register; those that end give what they have found, the others go to `place`.
-FN std::size_t follow_vertex(const kernel::WorldRecord& world, int depth, PathState& path, const UInt& slots, std::size_t place,
-                             PathBatch& batch, glm::vec3* radiance, RayTally& tally) {
+FN std::size_t follow_vertex(PathWork& work, int depth, PathState& path, const UInt& slots, std::size_t place, RayTally& tally) {
     const Mask before = path.alive;
-    path_step(world, depth, path, tally);
+    const Vec3 view = path.direction;
+    const bool first = depth == 0 && !work.samples.first_hits.empty();
+    const bool direct = depth <= 1 && !work.samples.direct.empty();
+    Sight sight;
+    if (first || direct) {
+        sight.vertex = no_vertex();
+        path_step(work.watched, depth, path, sight, tally);
+    } else {
+        path_step(work.world, depth, path, sight, tally);
+    }
     const Mask ended = without(before, path.alive);
     if (some(ended)) {
-        put_radiance(world, path, slots, ended, radiance);
+        put_radiance(work.world, path, slots, ended, work.samples);
     }
-    return put_path(path, slots, mask_bits(path.alive), place, batch);
+    if (first) {
+        put_first_hits(work.world, path, sight, view, slots, before, work.samples.first_hits.data());
+    }
+    if (direct) {
+        // Light that the second vertex asks for has been scattered twice. A path that ends at the first has asked for none there, or all that it
+        // asked for counts.
+        const Spectrum light = depth == 0 ? path.radiance : sight.met;
+        put_colors(light_in_pixel(work.world, path, light, before), slots, before, work.samples.direct.data());
+    }
+    return put_path(path, slots, mask_bits(path.alive), place, work.batch);
 }
 
-#define LANCER_FOLLOW LANCER_JOIN(follow_paths_, LANCER_ISA)
+FN kernel::WorldRecord watched(const kernel::WorldRecord& world) {
+    kernel::WorldRecord result = world;
+    result.watched = 1;
+    return result;
+}
 
-void LANCER_FOLLOW(const kernel::WorldRecord& world, const PathRange& range, glm::vec3* radiance, RayCounts& counts) {
+#define LANCER_TRACE LANCER_JOIN(trace_paths_, LANCER_ISA)
+#define LANCER_FAULT LANCER_JOIN(find_fault_, LANCER_ISA)
+
+void LANCER_TRACE(const kernel::WorldRecord& world, const PathRange& range, const PathSamples& samples_asked, RayCounts& counts) {
     RayTally tally{0, 0, 0};
     PathBatch batch;  // on the stack, a sixth of a megabyte; filled as far as it is read
+    PathWork work{world, watched(world), samples_asked, batch};
     const std::size_t width = static_cast<std::size_t>(range.x1 - range.x0);
     const std::size_t samples = static_cast<std::size_t>(range.sample_count);
     const std::size_t all = range.paths();
-    const std::uint32_t seed = scramble(static_cast<std::uint32_t>(world.seed));
     for (std::size_t begin = 0; begin < all; begin += BATCH) {
         const std::size_t end = all - begin < BATCH ? all : begin + BATCH;
         std::size_t going = 0;
@@ -111,30 +223,31 @@ void LANCER_FOLLOW(const kernel::WorldRecord& world, const PathRange& range, glm
             const std::size_t here = end - first < LANES ? end - first : LANES;
             alignas(64) float x[LANES];
             alignas(64) float y[LANES];
-            alignas(64) std::uint32_t key[LANES];
+            alignas(64) std::uint32_t columns[LANES];
+            alignas(64) std::uint32_t rows[LANES];
             alignas(64) std::uint32_t number[LANES];
             alignas(64) std::uint32_t slot[LANES];
             for (std::size_t lane = 0; lane < LANES; ++lane) {
                 const std::size_t path = first + (lane < here ? lane : 0);
                 const std::size_t pixel = path / samples;
-                const std::uint32_t column = static_cast<std::uint32_t>(range.x0) + static_cast<std::uint32_t>(pixel % width);
-                const std::uint32_t row = static_cast<std::uint32_t>(range.y0) + static_cast<std::uint32_t>(pixel / width);
-                x[lane] = static_cast<float>(column);
-                y[lane] = static_cast<float>(row);
-                key[lane] = scramble(column + (row << 16) + seed);
+                columns[lane] = static_cast<std::uint32_t>(range.x0) + static_cast<std::uint32_t>(pixel % width);
+                rows[lane] = static_cast<std::uint32_t>(range.y0) + static_cast<std::uint32_t>(pixel / width);
+                x[lane] = static_cast<float>(columns[lane]);
+                y[lane] = static_cast<float>(rows[lane]);
                 number[lane] = static_cast<std::uint32_t>(range.first_sample) + static_cast<std::uint32_t>(path % samples);
                 slot[lane] = static_cast<std::uint32_t>(path);
             }
-            PathState path = start_path(world, Float::load_aligned(x), Float::load_aligned(y), UInt::load_aligned(key),
-                                        UInt::load_aligned(number), first_lanes(here));
-            going = follow_vertex(world, 0, path, UInt::load_aligned(slot), going, batch, radiance, tally);
+            const UInt key = pixel_key(UInt::load_aligned(columns), UInt::load_aligned(rows), UInt(static_cast<std::uint32_t>(world.seed)));
+            PathState path =
+                start_path(world, Float::load_aligned(x), Float::load_aligned(y), key, UInt::load_aligned(number), first_lanes(here));
+            going = follow_vertex(work, 0, path, UInt::load_aligned(slot), going, tally);
         }
         for (int depth = 1; going > 0; ++depth) {
             std::size_t kept = 0;
             for (std::size_t first = 0; first < going; first += LANES) {
                 const UInt slots = UInt::load_unaligned(batch.slots + first);
                 PathState path = take_path(batch, first, first_lanes(going - first));
-                kept = follow_vertex(world, depth, path, slots, kept, batch, radiance, tally);
+                kept = follow_vertex(work, depth, path, slots, kept, tally);
             }
             going = kept;
         }
@@ -142,6 +255,44 @@ void LANCER_FOLLOW(const kernel::WorldRecord& world, const PathRange& range, glm
     counts.camera += static_cast<std::uint64_t>(tally.camera);
     counts.secondary += static_cast<std::uint64_t>(tally.secondary);
     counts.shadow += static_cast<std::uint64_t>(tally.shadow);
+}
+
+FN PathFault::What wrong_with(const Spectrum& light) {
+    PathFault::What what = PathFault::What::none;
+    for (const float value : {lane_of(light.x, 0), lane_of(light.y, 0), lane_of(light.z, 0), lane_of(light.w, 0)}) {
+        if (!(value == value)) {
+            return PathFault::What::not_a_number;
+        }
+        if (value < 0.0f) {
+            what = PathFault::What::negative;
+        } else if (value > FAR && what == PathFault::What::none) {
+            what = PathFault::What::infinite;
+        }
+    }
+    return what;
+}
+
+PathFault LANCER_FAULT(const kernel::WorldRecord& world, int x, int y, int sample) {
+    RayTally tally{0, 0, 0};
+    const kernel::WorldRecord record = watched(world);
+    const UInt key =
+        pixel_key(UInt(static_cast<std::uint32_t>(x)), UInt(static_cast<std::uint32_t>(y)), UInt(static_cast<std::uint32_t>(world.seed)));
+    PathState path = start_path(world, Float(static_cast<float>(x)), Float(static_cast<float>(y)), UInt(key),
+                                UInt(static_cast<std::uint32_t>(sample)), first_lanes(1));
+    Sight sight;
+    PathFault fault;
+    for (int depth = 0; some(path.alive) && fault.what == PathFault::What::none; ++depth) {
+        sight.vertex = no_vertex();
+        path_step(record, depth, path, sight, tally);
+        fault.what = wrong_with(path.radiance);
+        if (fault.what == PathFault::What::none && some(path.alive)) {
+            fault.what = wrong_with(path.throughput);
+        }
+        fault.vertex = depth;
+        fault.object = lane_of(sight.hit.object, 0);
+        fault.material = fault.object >= 0 ? lane_of(sight.vertex.material, 0) : -1;
+    }
+    return fault;
 }
 
 }  // namespace lancer::LANCER_KERNEL

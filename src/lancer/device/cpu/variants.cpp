@@ -5,7 +5,8 @@ namespace lancer {
 #define LANCER_DECLARE(isa)                                                                                           \
     namespace kernel_##isa {                                                                                          \
         void follow_whitted_##isa(const kernel::WorldRecord&, const glm::vec2*, glm::vec3*, std::size_t, RayCounts&); \
-        void follow_paths_##isa(const kernel::WorldRecord&, const PathRange&, glm::vec3*, RayCounts&);                \
+        void trace_paths_##isa(const kernel::WorldRecord&, const PathRange&, const PathSamples&, RayCounts&);         \
+        PathFault find_fault_##isa(const kernel::WorldRecord&, int, int, int);                                        \
     }
 LANCER_DECLARE(sse4_2)
 LANCER_DECLARE(avx2)
@@ -13,9 +14,12 @@ LANCER_DECLARE(avx512f)
 #undef LANCER_DECLARE
 
 const CpuVariant* find_cpu_variant(int lanes) {
-    static constexpr CpuVariant avx512{"AVX-512", 16, kernel_avx512f::follow_whitted_avx512f, kernel_avx512f::follow_paths_avx512f};
-    static constexpr CpuVariant avx2{"AVX2", 8, kernel_avx2::follow_whitted_avx2, kernel_avx2::follow_paths_avx2};
-    static constexpr CpuVariant sse4{"SSE4.2", 4, kernel_sse4_2::follow_whitted_sse4_2, kernel_sse4_2::follow_paths_sse4_2};
+#define LANCER_VARIANT(name, lanes, isa) \
+    { name, lanes, kernel_##isa::follow_whitted_##isa, kernel_##isa::trace_paths_##isa, kernel_##isa::find_fault_##isa }
+    static constexpr CpuVariant avx512 = LANCER_VARIANT("AVX-512", 16, avx512f);
+    static constexpr CpuVariant avx2 = LANCER_VARIANT("AVX2", 8, avx2);
+    static constexpr CpuVariant sse4 = LANCER_VARIANT("SSE4.2", 4, sse4_2);
+#undef LANCER_VARIANT
     const bool has_avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
                             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
     const bool has_avx2 =

@@ -56,9 +56,14 @@ bool check_corners(const scene::TriangleMesh& mesh, MeshMessages& messages, int 
 }
 
 void leave_out_needles(scene::TriangleMesh& mesh, MeshMessages& messages, int line, int column) {
-    const std::size_t removed = std::erase_if(mesh.triangles, [&](const glm::uvec3& t) {
+    const auto is_needle = [&](const glm::uvec3& t) {
         return t.x == t.y || t.y == t.z || t.z == t.x || face_normal(mesh, t) == glm::dvec3(0.0);
-    });
+    };
+    if (!mesh.face_colors.empty()) {
+        std::size_t face = 0;
+        std::erase_if(mesh.face_colors, [&](const glm::vec4&) { return is_needle(mesh.triangles[face++]); });
+    }
+    const std::size_t removed = std::erase_if(mesh.triangles, is_needle);
     if (removed > 0) {
         messages.warning(line, column,
                          fmt::format("{} of {} triangles have no area and are left out", removed, removed + mesh.triangles.size()));
@@ -113,6 +118,21 @@ void repair_uvs(scene::TriangleMesh& mesh, MeshMessages& messages, int line, int
     }
 }
 
+void repair_colors(scene::TriangleMesh& mesh, MeshMessages& messages, int line, int column) {
+    std::size_t repaired = 0;
+    for (glm::vec4& color : mesh.colors) {
+        for (int channel = 0; channel < 4; ++channel) {
+            // No surface gives back more light than it gets, nor less than none.
+            const float value = color[channel];
+            color[channel] = value > 0.0f ? std::min(value, 1.0f) : 0.0f;
+            repaired += color[channel] != value ? std::size_t{1} : std::size_t{0};
+        }
+    }
+    if (repaired > 0) {
+        messages.warning(line, column, fmt::format("{} values of colors lie outside of 0 to 1; the nearest of these is used", repaired));
+    }
+}
+
 }  // namespace
 
 bool check_mesh(scene::TriangleMesh& mesh, MeshMessages& messages, int line, int column) {
@@ -133,6 +153,7 @@ bool check_mesh(scene::TriangleMesh& mesh, MeshMessages& messages, int line, int
     }
     repair_normals(mesh, messages, line, column);
     repair_uvs(mesh, messages, line, column);
+    repair_colors(mesh, messages, line, column);
     return true;
 }
 

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "lancer/image/image.h"
 #include "lancer/import/mesh/mesh_check.h"
 #include "lancer/import/mesh/polygon.h"
 #include "lancer/import/obj/obj_parse.h"
@@ -27,6 +28,9 @@ public:
         }
         if (plain()) {
             mesh_.positions = statements.positions;
+            for (const glm::vec3& color : statements.colors) {
+                mesh_.colors.push_back(decoded(color));
+            }
         } else {
             slots_.assign(std::bit_ceil(2 * statements.positions.size() + 16), empty);
         }
@@ -51,6 +55,9 @@ public:
         slot = number;
         corners_.push_back(corner);
         mesh_.positions.push_back(statements_.positions[static_cast<std::size_t>(corner.position)]);
+        if (!statements_.colors.empty()) {
+            mesh_.colors.push_back(decoded(statements_.colors[static_cast<std::size_t>(corner.position)]));
+        }
         if (has_uvs_) {
             mesh_.uvs.push_back(corner.uv == absent ? glm::vec2(0.0f) : statements_.uvs[static_cast<std::size_t>(corner.uv)]);
         }
@@ -64,6 +71,9 @@ public:
     }
 
 private:
+    // Programs write what displays take, over 255.
+    static glm::vec4 decoded(const glm::vec3& color) { return {srgb_decode(color.x), srgb_decode(color.y), srgb_decode(color.z), 1.0f}; }
+
     static constexpr std::uint32_t empty = 0xffffffffu;
 
     static std::size_t scatter(const Corner& corner) {

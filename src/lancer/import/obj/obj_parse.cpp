@@ -51,9 +51,7 @@ private:
         const int column = cursor_.column();
         cursor_.skip(word.size());
         if (word == "v") {
-            glm::vec3 p(0.0f);
-            numbers(3, 3, "a vertex", &p.x);
-            result_.positions.push_back(p);
+            vertex();
         } else if (word == "vt") {
             glm::vec2 uv(0.0f);
             numbers(1, 2, "a texture coordinate", &uv.x);
@@ -73,22 +71,37 @@ private:
         }
     }
 
-    // At least `least` numbers must follow; what comes after the first `most`, such as weights and colours, is passed over.
-    void numbers(int least, int most, const char* what, float* values) {
+    // Three coordinates, perhaps a weight, perhaps a colour.
+    void vertex() {
+        float values[7] = {};
+        const int count = numbers(3, 7, "a vertex", values);
+        result_.positions.emplace_back(values[0], values[1], values[2]);
+        if (count >= 6) {
+            const float* rgb = values + (count - 3);
+            result_.colors.resize(result_.positions.size(), glm::vec3(1.0f));
+            result_.colors.back() = {rgb[0], rgb[1], rgb[2]};
+        } else if (!result_.colors.empty()) {
+            result_.colors.emplace_back(1.0f);
+        }
+    }
+
+    // At least `least` numbers must follow; what comes after the first `most` is passed over. Returns how many there are.
+    int numbers(int least, int most, const char* what, float* values) {
         for (int i = 0; i < most; ++i) {
             if (!cursor_.find_word()) {
                 if (i < least) {
                     messages_.error(cursor_.line(), cursor_.column(),
                                     fmt::format("{} needs {} numbers, but the line ends after {}", what, least, i));
                 }
-                return;
+                return i;
             }
             if (!cursor_.read_number(values[i])) {
                 messages_.error(cursor_.line(), cursor_.column(),
                                 fmt::format("{} needs finite numbers, not {}", what, quoted(cursor_.word())));
-                return;
+                return i;
             }
         }
+        return most;
     }
 
     void face(int line, int column) {

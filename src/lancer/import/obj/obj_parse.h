@@ -26,6 +26,7 @@ struct Corner {
 
 struct Statements {
     std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> colors;  // of the positions, as the file has them; empty where there are none, white where one has none
     std::vector<glm::vec2> uvs;
     std::vector<glm::vec3> normals;
     std::vector<Corner> corners;         // of all faces, one face after the other

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "lancer/image/image.h"
 #include "lancer/import/mesh/mesh_check.h"
 #include "lancer/import/mesh/polygon.h"
 #include "lancer/import/ply/ply_data.h"
@@ -63,6 +64,28 @@ void cut_faces(Data& data, MeshMessages& messages) {
     }
 }
 
+// Whole numbers are what displays take, of full scale 255 or 65535; others are linear light.
+void decode_colors(const Header& header, std::vector<glm::vec4>& colors) {
+    for (const Element& element : header.elements) {
+        if (meaning_of(element) != Meaning::vertices || colors.empty()) {
+            continue;
+        }
+        const Columns columns = vertex_columns(element);
+        for (int channel = 0; channel < 4; ++channel) {
+            const int column = columns[static_cast<std::size_t>(red + channel)];
+            if (column < 0 || !is_whole(element.properties[static_cast<std::size_t>(column)].type)) {
+                continue;
+            }
+            const std::size_t size = size_of(element.properties[static_cast<std::size_t>(column)].type);
+            const float full = size == 1 ? 255.0f : size == 2 ? 65535.0f : 4294967295.0f;
+            for (glm::vec4& color : colors) {
+                const float share = std::clamp(color[channel] / full, 0.0f, 1.0f);
+                color[channel] = channel < 3 ? srgb_decode(share) : share;
+            }
+        }
+    }
+}
+
 }  // namespace
 
 std::optional<scene::TriangleMesh> read_ply(std::string_view bytes, const std::string& file, Diagnostics& diagnostics) {
@@ -82,6 +105,7 @@ std::optional<scene::TriangleMesh> read_ply(std::string_view bytes, const std::s
         return std::nullopt;
     }
     cut_faces(data, messages);
+    decode_colors(*header, data.mesh.colors);
     if (data.small_faces > 0) {
         messages.warning(0, 0, fmt::format("{} faces with less than three corners are left out", data.small_faces));
     }

@@ -51,9 +51,13 @@ Columns vertex_columns(const Element& vertices) {
         const int found = vertices.find(name);
         return found >= 0 && !vertices.properties[static_cast<std::size_t>(found)].is_list ? found : -1;
     };
-    Columns columns{scalar("x"), scalar("y"), scalar("z"), scalar("nx"), scalar("ny"), scalar("nz"), -1, -1};
+    Columns columns{scalar("x"), scalar("y"), scalar("z"),   scalar("nx"),    scalar("ny"),   scalar("nz"),
+                    -1,          -1,          scalar("red"), scalar("green"), scalar("blue"), scalar("alpha")};
     if (columns[nx] < 0 || columns[ny] < 0 || columns[nz] < 0) {
         columns[nx] = columns[ny] = columns[nz] = -1;
+    }
+    if (columns[red] < 0 || columns[green] < 0 || columns[blue] < 0) {
+        columns[red] = columns[green] = columns[blue] = columns[alpha] = -1;
     }
     for (const auto& names : uv_names) {
         if (columns[u] < 0 && scalar(names[0]) >= 0 && scalar(names[1]) >= 0) {
@@ -94,6 +98,14 @@ std::array<Destination, role_count> make_room(scene::TriangleMesh& mesh, std::si
         mesh.uvs.resize(count);
         to[u] = {&mesh.uvs.data()->x, 2};
         to[v] = {&mesh.uvs.data()->x + 1, 2};
+    }
+    if (columns[red] >= 0) {
+        mesh.colors.assign(count, glm::vec4(1.0f));
+        for (std::size_t channel = 0; channel < 4; ++channel) {
+            if (columns[red + channel] >= 0) {
+                to[red + channel] = {&mesh.colors.data()->x + channel, 4};
+            }
+        }
     }
     return to;
 }

@@ -13,7 +13,7 @@
 namespace lancer::ply {
 
 // What lancer takes from a vertex; a column is one of these for all vertices.
-enum Role { x, y, z, nx, ny, nz, u, v, role_count };
+enum Role { x, y, z, nx, ny, nz, u, v, red, green, blue, alpha, role_count };
 
 // For each role the number of the property that holds it, -1 for none.
 using Columns = std::array<int, role_count>;

@@ -42,7 +42,7 @@ scene::Checker read_checker(TableReader& reader) {
     return texture;
 }
 
-scene::ImageTexture read_image(Context& context, TableReader& reader) {
+scene::ImageTexture read_image(Context& context, TableReader& reader, bool data) {
     scene::ImageTexture texture;
     texture.position = reader.position();
     const std::string file = reader.text("file");
@@ -53,9 +53,15 @@ scene::ImageTexture read_image(Context& context, TableReader& reader) {
         }
     }
     texture.wrap = static_cast<scene::Wrap>(reader.choice("wrap"));
-    texture.filter = reader.choice("filter") == 0 ? scene::Filter::bilinear : scene::Filter::nearest;
-    texture.linear = reader.choice("encoding") == 1;
+    if (reader.has("wrap_v")) {
+        texture.wrap_v = static_cast<scene::Wrap>(reader.choice("wrap_v"));
+    }
+    const scene::Filter filters[] = {scene::Filter::mipmaps, scene::Filter::bilinear, scene::Filter::nearest};
+    texture.filter = filters[reader.choice("filter")];
+    texture.linear = reader.has("encoding") ? reader.choice("encoding") == 1 : data;
+    texture.uv_set = reader.integer("uv_set");
     texture.scale = reader.vector2("scale");
+    texture.rotation = reader.number("rotation");
     texture.offset = reader.vector2("offset");
     return texture;
 }
@@ -152,7 +158,7 @@ scene::Color read_color(Context& context, TableReader& reader, std::string_view 
     return read_color_if_written(context, reader, key).value_or(preset ? *preset : scene::Rgb(0.0));
 }
 
-scene::Texture read_texture(Context& context, TableReader& reader, std::string_view name) {
+scene::Texture read_texture(Context& context, TableReader& reader, std::string_view name, bool data) {
     const Key& key = reader.described(name, Kind::texture);
     const toml::node* node = reader.value(name, Kind::texture);
     if (!node) {
@@ -173,11 +179,19 @@ scene::Texture read_texture(Context& context, TableReader& reader, std::string_v
     }
     if (type && type->get() == "image") {
         TableReader image_reader(context.messages, *table, image());
-        return read_image(context, image_reader);
+        return read_image(context, image_reader, data);
+    }
+    for (const bool of_faces : {false, true}) {
+        const Table& colors = of_faces ? face_color() : vertex_color();
+        if (type && type->get() == colors.name) {
+            const TableReader colors_reader(context.messages, *table, colors);
+            return scene::MeshColors{of_faces};
+        }
     }
     const toml::node* written = table->get("type");
     reader.error(context.messages.at(written ? *written : *node),
-                 fmt::format("a texture needs \"type\": \"checker\" or \"image\"{}", type ? fmt::format(", not \"{}\"", type->get()) : ""));
+                 fmt::format("a texture needs \"type\": \"checker\", \"image\", \"vertex_color\" or \"face_color\"{}",
+                             type ? fmt::format(", not \"{}\"", type->get()) : ""));
     return scene::Color();
 }
 

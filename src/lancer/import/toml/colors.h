@@ -24,7 +24,10 @@ std::optional<scene::Color> read_color(Context& context, const toml::node& node,
 scene::Color read_color(Context& context, TableReader& reader, std::string_view key);
 std::optional<scene::Color> read_color_if_written(Context& context, TableReader& reader, std::string_view key);
 
-// Of Kind::texture.
-scene::Texture read_texture(Context& context, TableReader& reader, std::string_view key);
+// Of Kind::texture. `data`: the texture holds numbers and no colours, so bytes are linear where nothing else is written.
+scene::Texture read_texture(Context& context, TableReader& reader, std::string_view key, bool data = false);
+
+// Of Kind::value.
+scene::Value read_value(Context& context, TableReader& reader, std::string_view key);
 
 }  // namespace lancer::notation

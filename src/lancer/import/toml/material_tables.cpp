@@ -23,11 +23,23 @@ Table physical(std::string_view type, std::string_view help, std::vector<Key> ke
                           "The light that the surface gives by itself, weighed by the eye; the shape is a lamp then."});
     table.keys.push_back({"emission_strength", Kind::number, 1.0, not_negative, "", "Multiplies emission."});
     table.keys.push_back({"emission_sides", Kind::choice, "front", any, "", "Whether it shines outwards only.", false, {"front", "both"}});
+    table.keys.push_back({"opacity", Kind::value, 1.0, share, "", "How much of it is there; light passes by the rest."});
+    table.keys.push_back(
+        {"opacity_cutoff", Kind::number, 0.0, share, "", "Above 0: it is there where the opacity is at least this, and nowhere else."});
+    table.keys.push_back({"behind", Kind::material, none, any, "", "The material that is seen from within, instead of this one."});
+    table.keys.push_back({"one_sided", Kind::flag, false, any, "", "Black when seen from within."});
+    if (type != "mix") {
+        table.keys.push_back({"normal_map", Kind::texture, glm::dvec3(0.5, 0.5, 1.0), share, "",
+                              "Bends the normals: red along u, green along v, blue outwards, 0.5 standing for none."});
+        table.keys.push_back({"normal_scale", Kind::number, 1.0, Range{-100.0, 100.0}, "", "Multiplies the red and green of normal_map."});
+        table.keys.push_back({"normal_flip_green", Kind::flag, false, any, "", "The map's green grows downwards, as Direct3D has it."});
+        table.keys.push_back({"bump", Kind::value, 0.0, any, "m", "Heights that bend the normals as if the surface were raised by them."});
+    }
     return table;
 }
 
-const Key roughness{"roughness", Kind::number, 0.0, share, "", "From 0, polished, to 1; its square is the width of the facets' slopes."};
-const Key anisotropy{"anisotropy", Kind::number, 0.0, Range{0.0, 1.0}, "", "How much smoother the surface is along u than along v."};
+const Key roughness{"roughness", Kind::value, 0.0, share, "", "From 0, polished, to 1; its square is the width of the facets' slopes."};
+const Key anisotropy{"anisotropy", Kind::value, 0.0, Range{0.0, 1.0}, "", "How much smoother the surface is along u than along v."};
 
 }  // namespace
 
@@ -54,7 +66,7 @@ const Table& whitted_material() {
 const Table& diffuse_material() {
     static const Table table = physical("diffuse", "Scatters light to all sides alike, as chalk, plaster or paper.",
                                         {{"color", Kind::texture, glm::dvec3(0.8), share, "", "The share of light that it scatters."},
-                                         {"roughness", Kind::number, 0.0, share, "", "Above 0: of small facets, as clay or the moon."}});
+                                         {"roughness", Kind::value, 0.0, share, "", "Above 0: of small facets, as clay or the moon."}});
     return table;
 }
 
@@ -97,20 +109,28 @@ const Table& principled_material() {
     static const Table table = physical(
         "principled", "A layered surface for nearly everything: sheen over a coat over a base of metal, coloured body or clear body.",
         {{"color", Kind::texture, glm::dvec3(0.8), share, "", "The colour of the base."},
-         {"metalness", Kind::number, 0.0, share, "", "From 0, none, to 1, a metal."},
-         {"roughness", Kind::number, 0.3, share, "", "From 0, polished, to 1; its square is the width of the facets' slopes."},
+         {"metalness", Kind::value, 0.0, share, "", "From 0, none, to 1, a metal."},
+         {"roughness", Kind::value, 0.3, share, "", "From 0, polished, to 1; its square is the width of the facets' slopes."},
          anisotropy,
          {"refraction", Kind::number, 1.5, Range{1.0, 3.0}, "", "The refractive index of the base where it is no metal."},
-         {"specular", Kind::color, glm::dvec3(1.0), share, "", "A tint of what the border of the base reflects; white in nature."},
-         {"transmission", Kind::number, 0.0, share, "", "How much of the base is a clear body."},
+         {"specular", Kind::texture, glm::dvec3(1.0), share, "", "A tint of what the border of the base reflects; white in nature."},
+         {"transmission", Kind::value, 0.0, share, "", "How much of the base is a clear body."},
          {"thin", Kind::flag, false, any, "", "A sheet without inside: what passes through is not bent."},
          {"absorption", Kind::color, origin, not_negative, "1/m", "How fast each colour fades inside: exp(-absorption * depth)."},
-         {"coat", Kind::number, 0.0, share, "", "How much of the surface a clear coat covers."},
-         {"coat_roughness", Kind::number, 0.0, share, "", "Of the coat."},
-         {"sheen", Kind::color, origin, share, "", "Light from fine fibres, as of velvet."},
-         {"sheen_roughness", Kind::number, 0.3, share, "", "Of the fibres."},
-         {"film", Kind::number, 0.0, Range{0.0, 10000.0}, "nm", "The thickness of a film that shimmers in colours; 0 for none."},
+         {"coat", Kind::value, 0.0, share, "", "How much of the surface a clear coat covers."},
+         {"coat_roughness", Kind::value, 0.0, share, "", "Of the coat."},
+         {"sheen", Kind::texture, origin, share, "", "Light from fine fibres, as of velvet."},
+         {"sheen_roughness", Kind::value, 0.3, share, "", "Of the fibres."},
+         {"film", Kind::value, 0.0, Range{0.0, 10000.0}, "nm", "The thickness of a film that shimmers in colours; 0 for none."},
          {"film_refraction", Kind::number, 1.3, Range{1.0, 3.0}, "", "The refractive index of the film."}});
+    return table;
+}
+
+const Table& mix_material() {
+    static const Table table = physical("mix", "Two materials, one here and the other there, or both together.",
+                                        {{"first", Kind::material, none, any, "", "A material, which may be a mix itself.", true},
+                                         {"second", Kind::material, none, any, "", "The other one.", true},
+                                         {"share", Kind::value, 0.5, share, "", "How much of the second there is."}});
     return table;
 }
 

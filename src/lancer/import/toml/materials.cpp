@@ -109,7 +109,7 @@ scene::WhittedMaterial read_whitted(Context& context, TableReader& reader) {
 }
 
 scene::DiffuseMaterial read_diffuse(Context& context, TableReader& reader) {
-    return {read_texture(context, reader, "color"), reader.number("roughness")};
+    return {read_texture(context, reader, "color"), read_value(context, reader, "roughness")};
 }
 
 std::optional<scene::MeasuredSpectrum> read_index(Context& context, TableReader& reader, std::string_view name) {
@@ -142,8 +142,8 @@ scene::ConductorMaterial read_conductor(Context& context, TableReader& reader) {
         }
     }
     model.color = read_texture(context, reader, "color");
-    model.roughness = reader.number("roughness");
-    model.anisotropy = reader.number("anisotropy");
+    model.roughness = read_value(context, reader, "roughness");
+    model.anisotropy = read_value(context, reader, "anisotropy");
     return model;
 }
 
@@ -151,38 +151,60 @@ scene::DielectricMaterial read_dielectric(Context& context, TableReader& reader)
     scene::DielectricMaterial model;
     model.refraction = read_refraction(context, reader, "refraction");
     model.color = read_texture(context, reader, "color");
-    model.roughness = reader.number("roughness");
-    model.anisotropy = reader.number("anisotropy");
+    model.roughness = read_value(context, reader, "roughness");
+    model.anisotropy = read_value(context, reader, "anisotropy");
     model.absorption = read_color(context, reader, "absorption");
     model.thin = reader.flag("thin");
-    if (reader.good() && model.thin && model.roughness > 0.0) {
+    if (reader.good() && model.thin && model.roughness.most() > 0.0) {
         reader.error("roughness", "a thin dielectric is smooth: write roughness = 0, or thin = false");
     }
     return model;
 }
 
 scene::PlasticMaterial read_plastic(Context& context, TableReader& reader) {
-    return {read_texture(context, reader, "color"), reader.number("refraction"), reader.number("roughness"), reader.flag("saturates")};
+    return {read_texture(context, reader, "color"), reader.number("refraction"), read_value(context, reader, "roughness"),
+            reader.flag("saturates")};
 }
 
 scene::PrincipledMaterial read_principled(Context& context, TableReader& reader) {
     scene::PrincipledMaterial model;
     model.color = read_texture(context, reader, "color");
-    model.metalness = reader.number("metalness");
-    model.roughness = reader.number("roughness");
-    model.anisotropy = reader.number("anisotropy");
+    model.metalness = read_value(context, reader, "metalness");
+    model.roughness = read_value(context, reader, "roughness");
+    model.anisotropy = read_value(context, reader, "anisotropy");
     model.refraction = reader.number("refraction");
-    model.specular = read_color(context, reader, "specular");
-    model.transmission = reader.number("transmission");
+    model.specular = read_texture(context, reader, "specular");
+    model.transmission = read_value(context, reader, "transmission");
     model.thin = reader.flag("thin");
     model.absorption = read_color(context, reader, "absorption");
-    model.coat = reader.number("coat");
-    model.coat_roughness = reader.number("coat_roughness");
-    model.sheen = read_color(context, reader, "sheen");
-    model.sheen_roughness = reader.number("sheen_roughness");
-    model.film = reader.number("film");
+    model.coat = read_value(context, reader, "coat");
+    model.coat_roughness = read_value(context, reader, "coat_roughness");
+    model.sheen = read_texture(context, reader, "sheen");
+    model.sheen_roughness = read_value(context, reader, "sheen_roughness");
+    model.film = read_value(context, reader, "film");
     model.film_refraction = reader.number("film_refraction");
     return model;
+}
+
+scene::Relief read_relief(Context& context, TableReader& reader) {
+    scene::Relief relief;
+    if (reader.has("normal_map")) {
+        relief.normals = read_texture(context, reader, "normal_map", true);
+        if (reader.good() && relief.normals->index() == 0) {
+            reader.error("normal_map", "\"normal_map\" must be a texture: a color bends all normals alike");
+        }
+    }
+    relief.scale = reader.number("normal_scale");
+    relief.flips_green = reader.flag("normal_flip_green");
+    for (const char* key : {"normal_scale", "normal_flip_green"}) {
+        if (reader.has(key) && !relief.normals) {
+            reader.error(key, fmt::format("\"{}\" needs \"normal_map\" beside it", key));
+        }
+    }
+    if (reader.has("bump")) {
+        relief.heights = read_value(context, reader, "bump");
+    }
+    return relief;
 }
 
 std::optional<scene::Emission> read_emission(Context& context, TableReader& reader) {
@@ -236,12 +258,42 @@ scene::Material Materials::read_table(const toml::table& table) {
         case 4:
             material.model = read_plastic(context_, reader);
             break;
-        default:
+        case 5:
             material.model = read_principled(context_, reader);
+            break;
+        default:
+            material.model = read_mix(reader);
             break;
     }
     material.emission = read_emission(context_, reader);
+    read_sides(reader, material);
+    if (!std::holds_alternative<scene::MixMaterial>(material.model)) {
+        material.relief = read_relief(context_, reader);
+    }
     return material;
+}
+
+scene::MixMaterial Materials::read_mix(TableReader& reader) {
+    scene::MixMaterial mix;
+    mix.first = std::max(read(reader, "first"), 0);
+    mix.second = std::max(read(reader, "second"), 0);
+    mix.share = read_value(context_, reader, "share");
+    return mix;
+}
+
+void Materials::read_sides(TableReader& reader, scene::Material& material) {
+    material.opacity = read_value(context_, reader, "opacity");
+    material.opacity_cutoff = reader.number("opacity_cutoff");
+    if (const int behind = read(reader, "behind"); behind >= 0) {
+        material.behind = behind;
+    }
+    material.one_sided = reader.flag("one_sided");
+    if (reader.has("opacity_cutoff") && !reader.has("opacity")) {
+        reader.error("opacity_cutoff", "\"opacity_cutoff\" needs \"opacity\" beside it");
+    }
+    if (reader.has("behind") && material.one_sided) {
+        reader.error("one_sided", "a material has either \"behind\" or one_sided = true");
+    }
 }
 
 void Materials::read_named(const toml::table& root) {
@@ -265,11 +317,12 @@ void Materials::read_named(const toml::table& root) {
     }
     const auto place_of = [](const Written& w) { return std::pair(w.key->source().begin.line, w.key->source().begin.column); };
     std::sort(in_order.begin(), in_order.end(), [&](const Written& a, const Written& b) { return place_of(a) < place_of(b); });
+    // First the names, since mixes speak of others that may come later; those written in place come after all of them.
     for (const Written& written : in_order) {
         const std::string name(written.key->str());
-        if (const toml::table* table = written.node->as_table()) {
+        if (written.node->is_table()) {
             by_name_[name] = static_cast<int>(context_.scene.materials.size());
-            context_.scene.materials.push_back(read_table(*table));
+            context_.scene.materials.emplace_back();
             context_.scene.materials.back().name = name;
         } else if (whitted_material().find(name)) {
             context_.messages.error(context_.messages.at(*written.key),
@@ -280,6 +333,14 @@ void Materials::read_named(const toml::table& root) {
         }
     }
     used_.assign(context_.scene.materials.size(), false);
+    for (const Written& written : in_order) {
+        if (const toml::table* table = written.node->as_table()) {
+            const std::string name(written.key->str());
+            scene::Material material = read_table(*table);
+            material.name = name;
+            context_.scene.materials[static_cast<std::size_t>(by_name_[name])] = std::move(material);
+        }
+    }
 }
 
 int Materials::read(TableReader& reader, std::string_view key) {
@@ -288,7 +349,8 @@ int Materials::read(TableReader& reader, std::string_view key) {
         return -1;
     }
     if (const toml::table* table = node->as_table()) {
-        context_.scene.materials.push_back(read_table(*table));
+        scene::Material material = read_table(*table);
+        context_.scene.materials.push_back(std::move(material));
         return static_cast<int>(context_.scene.materials.size()) - 1;
     }
     const auto* string = node->as_string();

@@ -27,6 +27,8 @@ public:
 
 private:
     scene::Material read_table(const toml::table& table);
+    scene::MixMaterial read_mix(TableReader& reader);
+    void read_sides(TableReader& reader, scene::Material& material);
 
     Context& context_;
     std::map<std::string, int, std::less<>> by_name_;

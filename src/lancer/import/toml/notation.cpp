@@ -48,8 +48,8 @@ std::span<const Table* const> lights() {
 }
 
 std::span<const Table* const> materials() {
-    static const Table* const all[] = {&whitted_material(),    &diffuse_material(), &conductor_material(),
-                                       &dielectric_material(), &plastic_material(), &principled_material()};
+    static const Table* const all[] = {&whitted_material(), &diffuse_material(),    &conductor_material(), &dielectric_material(),
+                                       &plastic_material(), &principled_material(), &mix_material()};
     return all;
 }
 

@@ -20,6 +20,7 @@ enum class Kind {
     flag,        // true
     text,        // "red"
     choice,      // one of Key::words
+    choices,     // a list of some of Key::words
     file,        // a path, seen from the scene file's folder
     vector2,     // [0, 1]
     vector3,     // [0, 1, 2]
@@ -27,7 +28,8 @@ enum class Kind {
     size,        // [1280, 720]: whole numbers
     rgb,         // "#rrggbb", a name, [r, g, b] linear
     color,       // the same, or a spectrum
-    texture,     // a color, a checker or an image
+    texture,     // a color, a checker, an image or the colours of a mesh
+    value,       // a number, or { texture, channel, scale, offset }
     curve,       // 1.5, "file.csv", { wavelengths = [...], values = [...] }
     refraction,  // 1.5, "N-BK7", { index = 1.5, abbe_number = 60 }, { b = [...], c = [...] }
     material,    // a name, or a material written in place
@@ -63,7 +65,7 @@ struct Key {
     std::string_view unit;
     std::string_view help;
     bool required = false;
-    std::vector<std::string_view> words = {};  // of a choice
+    std::vector<std::string_view> words = {};  // of a choice, or of choices
 };
 
 struct Table {
@@ -87,10 +89,14 @@ const Table& conductor_material();
 const Table& dielectric_material();
 const Table& plastic_material();
 const Table& principled_material();
+const Table& mix_material();
 const Table& checker();
 const Table& image();
 const Table& spectrum();
 const Table& curve();
+const Table& vertex_color();
+const Table& face_color();
+const Table& texture_value();
 const Table& abbe_glass();
 const Table& sellmeier_glass();
 const Table& axis_rotation();

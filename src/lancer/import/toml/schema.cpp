@@ -48,6 +48,8 @@ Json value_schema(const Key& key) {
         case Kind::text:
         case Kind::file:
             return {{"type", "string"}, {"minLength", 1}};
+        case Kind::choices:
+            return any_length({{"enum", key.words}});
         case Kind::choice:
             if (key.words.size() == 1) {
                 return {{"const", key.words.front()}};
@@ -66,7 +68,9 @@ Json value_schema(const Key& key) {
             return color(key.range);
         case Kind::texture:
             return {{"anyOf", Json::array({reference("color_text"), list(numbers(key.range, "number"), 3), reference("spectrum"),
-                                           reference("checker"), reference("image")})}};
+                                           reference("checker"), reference("image"), reference("vertex_color"), reference("face_color")})}};
+        case Kind::value:
+            return {{"anyOf", Json::array({numbers(key.range, "number"), reference("texture_value")})}};
         case Kind::refraction:
             return {{"anyOf", Json::array({numbers(key.range, "number"), Json{{"type", "string"}}, reference("abbe_glass"),
                                            reference("sellmeier_glass"), reference("curve")})}};
@@ -157,6 +161,9 @@ Json definitions() {
     all["image"] = table_schema(image());
     all["spectrum"] = table_schema(spectrum());
     all["curve"] = table_schema(curve());
+    all["vertex_color"] = table_schema(vertex_color());
+    all["face_color"] = table_schema(face_color());
+    all["texture_value"] = table_schema(texture_value());
     all["abbe_glass"] = table_schema(abbe_glass());
     all["sellmeier_glass"] = table_schema(sellmeier_glass());
     all["axis_rotation"] = table_schema(axis_rotation());

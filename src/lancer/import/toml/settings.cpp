@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lancer/base/file.h"
 #include "lancer/import/toml/colors.h"
 #include "lancer/import/toml/spectra.h"
 
@@ -9,7 +10,7 @@ namespace lancer::notation {
 
 namespace {
 
-scene::Background read_background_table(Context& context, TableReader& reader) {
+scene::Background read_colors(Context& context, TableReader& reader) {
     const auto color = read_color_if_written(context, reader, "color");
     const auto zenith = read_color_if_written(context, reader, "zenith");
     const auto horizon = read_color_if_written(context, reader, "horizon");
@@ -21,7 +22,9 @@ scene::Background read_background_table(Context& context, TableReader& reader) {
             }
         }
         const scene::Color all = color.value_or(scene::Color());
-        return {all, all, all};
+        scene::Background even;
+        even.zenith = even.horizon = even.nadir = all;
+        return even;
     }
     if (!horizon && zenith && nadir && (zenith->spectrum || nadir->spectrum)) {
         reader.error(reader.position(), "between two spectra \"horizon\" must be written");
@@ -29,7 +32,37 @@ scene::Background read_background_table(Context& context, TableReader& reader) {
     const scene::Color middle = horizon           ? *horizon
                                 : zenith && nadir ? scene::Color(0.5 * (zenith->rgb + nadir->rgb))
                                                   : zenith.value_or(nadir.value_or(scene::Color()));
-    return {zenith.value_or(middle), middle, nadir.value_or(middle)};
+    scene::Background gradient;
+    gradient.zenith = zenith.value_or(middle);
+    gradient.horizon = middle;
+    gradient.nadir = nadir.value_or(middle);
+    return gradient;
+}
+
+scene::Background read_background_table(Context& context, TableReader& reader) {
+    scene::Background result = read_colors(context, reader);
+    const std::string file = reader.text("image");
+    if (!file.empty()) {
+        for (const char* key : {"color", "zenith", "horizon", "nadir"}) {
+            if (reader.has(key)) {
+                reader.error(key, fmt::format("a background has either \"image\" or \"{}\"", key));
+            }
+        }
+        scene::ImageTexture image;
+        image.file = path_beside(context.messages.file(), file);
+        image.position = reader.position("image");
+        if (context.files.image(image.file, image.position)) {
+            result.image = image;
+        } else {
+            reader.spoil();
+        }
+    } else if (reader.has("rotation")) {
+        reader.error("rotation", "\"rotation\" turns an \"image\"; this background has none");
+    }
+    result.rotation = reader.number("rotation");
+    result.strength = reader.number("strength");
+    result.visible = reader.flag("visible");
+    return result;
 }
 
 // `name = color`, where a table [name] may stand as well.
@@ -44,7 +77,8 @@ void read_background(Context& context, const toml::node& node) {
         TableReader reader(context.messages, *table, background());
         context.scene.background = read_background_table(context, reader);
     } else if (const auto color = read_bare_color(context, node, background())) {
-        context.scene.background = {*color, *color, *color};
+        scene::Background& background = context.scene.background;
+        background.zenith = background.horizon = background.nadir = *color;
     }
 }
 
@@ -73,6 +107,11 @@ void read_render(Context& context, const toml::node& node) {
     if (reader.has("bounces")) {
         settings.bounces = reader.integer("bounces");
     }
+    const auto limit = [&](const char* key) { return reader.has(key) ? std::optional<int>(reader.integer(key)) : std::nullopt; };
+    settings.diffuse_bounces = limit("diffuse_bounces");
+    settings.glossy_bounces = limit("glossy_bounces");
+    settings.transmission_bounces = limit("transmission_bounces");
+    settings.direct_samples = static_cast<scene::DirectSamples>(reader.choice("direct_samples"));
     settings.spp = reader.integer("spp");
     settings.rgb = reader.flag("rgb");
     settings.seed = reader.integer("seed");
@@ -85,6 +124,12 @@ void read_render(Context& context, const toml::node& node) {
     settings.min_weight = reader.number("min_weight");
     settings.wavelengths = reader.integer("wavelengths");
     settings.exposure = reader.number("exposure");
+    settings.view = render().find("view")->words[reader.choice("view")];
+    for (const std::size_t word : reader.choices("aovs")) {
+        settings.aovs.emplace_back(render().find("aovs")->words[word]);
+    }
+    settings.spectral_bins = reader.integer("spectral_bins");
+    settings.wide = reader.flag("float");
 }
 
 }  // namespace

@@ -78,6 +78,17 @@ void check_inline_corners(TableReader& reader, const scene::TriangleMesh& mesh) 
     }
 }
 
+std::vector<glm::vec4> read_colors(TableReader& reader, const char* key, std::size_t wanted, const char* of) {
+    std::vector<glm::vec4> colors;
+    for (const glm::vec3& rgb : reader.vectors3(key)) {
+        colors.emplace_back(rgb, 1.0f);
+    }
+    if (reader.good() && !colors.empty() && colors.size() != wanted) {
+        reader.error(key, fmt::format("\"{}\" must have one entry for each of the {} {}, not {}", key, wanted, of, colors.size()));
+    }
+    return colors;
+}
+
 std::shared_ptr<const scene::TriangleMesh> read_inline_mesh(Context& context, TableReader& reader) {
     auto mesh = std::make_shared<scene::TriangleMesh>();
     mesh->positions = reader.vectors3("positions");
@@ -91,6 +102,8 @@ std::shared_ptr<const scene::TriangleMesh> read_inline_mesh(Context& context, Ta
                 key, fmt::format("\"{}\" must have one entry for each of the {} positions, not {}", key, mesh->positions.size(), count));
         }
     }
+    mesh->colors = read_colors(reader, "colors", mesh->positions.size(), "positions");
+    mesh->face_colors = read_colors(reader, "face_colors", mesh->triangles.size(), "triangles");
     if (reader.good()) {
         check_inline_corners(reader, *mesh);
     }
@@ -108,7 +121,7 @@ MaybeShape read_mesh(Context& context, TableReader& reader) {
     scene::Mesh mesh;
     mesh.smooth = reader.flag("smooth");
     if (reader.has("file")) {
-        for (const char* key : {"positions", "triangles", "normals", "uvs"}) {
+        for (const char* key : {"positions", "triangles", "normals", "uvs", "colors", "face_colors"}) {
             if (reader.has(key)) {
                 reader.error(key, fmt::format("a mesh has either \"file\" or \"{}\"", key));
             }

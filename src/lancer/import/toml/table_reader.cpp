@@ -266,6 +266,33 @@ std::size_t TableReader::choice(std::string_view key) {
     return index;
 }
 
+std::vector<std::size_t> TableReader::choices(std::string_view key) {
+    const Key& description = described(key, Kind::choices);
+    const toml::node* node = value(key, Kind::choices);
+    if (!node) {
+        return {};
+    }
+    const toml::array* list = node->as_array();
+    if (!list) {
+        error(key, fmt::format("\"{}\" must be a list of texts, not {}", key, what_it_is(*node)));
+        return {};
+    }
+    std::vector<std::size_t> result;
+    for (const toml::node& item : *list) {
+        const auto* string = item.as_string();
+        const auto found = string ? std::find(description.words.begin(), description.words.end(), string->get()) : description.words.end();
+        if (found == description.words.end()) {
+            const std::string hint = string ? did_you_mean(string->get(), {description.words.begin(), description.words.end()}) : "";
+            error(messages_.at(item), fmt::format("\"{}\" takes {}, not {}{}", key, alternatives(description.words),
+                                                  string ? fmt::format("\"{}\"", string->get()) : std::string(what_it_is(item)),
+                                                  hint.empty() ? "" : ";" + hint));
+        } else {
+            result.push_back(static_cast<std::size_t>(found - description.words.begin()));
+        }
+    }
+    return result;
+}
+
 glm::dvec2 TableReader::vector2(std::string_view key) {
     const Key& description = described(key, Kind::vector2);
     const glm::dvec2* preset = std::get_if<glm::dvec2>(&description.preset);

@@ -43,6 +43,7 @@ public:
     bool flag(std::string_view key);
     std::string text(std::string_view key);    // of Kind::text and Kind::file
     std::size_t choice(std::string_view key);  // index into the key's words
+    std::vector<std::size_t> choices(std::string_view key);
     glm::dvec2 vector2(std::string_view key);
     glm::dvec3 vector3(std::string_view key);
     glm::dvec3 direction(std::string_view key);  // of length 1

@@ -1,6 +1,7 @@
 // Every key of the notation. Defaults are those of scene/scene.h; a test holds them together.
 #include <glm/vec3.hpp>
 
+#include "lancer/image/aov.h"
 #include "lancer/import/toml/notation.h"
 
 namespace lancer::notation {
@@ -151,10 +152,55 @@ const Table& image() {
         {{"type", Kind::choice, none, any, "", "image", true, {"image"}},
          {"file", Kind::file, none, any, "", "The picture, seen from the scene file's folder.", true},
          {"wrap", Kind::choice, "repeat", any, "", "What lies outside of the picture.", false, {"repeat", "clamp", "mirror"}},
-         {"filter", Kind::choice, "bilinear", any, "", "How colours between pixels are found.", false, {"bilinear", "nearest"}},
-         {"encoding", Kind::choice, "srgb", any, "", "How colours are stored in the file.", false, {"srgb", "linear"}},
+         {"wrap_v", Kind::choice, none, any, "", "The same above and below, where it differs.", false, {"repeat", "clamp", "mirror"}},
+         {"filter",
+          Kind::choice,
+          "mipmaps",
+          any,
+          "",
+          "How colours between pixels are found; mipmaps: over all that a pixel sees.",
+          false,
+          {"mipmaps", "bilinear", "nearest"}},
+         {"encoding",
+          Kind::choice,
+          "srgb",
+          any,
+          "",
+          "How 8 and 16 bits store colours in the file; where a number is read from it: linear if not written.",
+          false,
+          {"srgb", "linear"}},
+         {"uv_set", Kind::integer, 0.0, Range{0.0, 1.0}, "", "Which of a mesh's two sets of uv is meant."},
          {"scale", Kind::vector2, glm::dvec2(1.0), Range{-1e6, 1e6}, "", "How often the picture fits into one unit of u and v."},
-         {"offset", Kind::vector2, glm::dvec2(0.0), Range{-1e6, 1e6}, "", "Added to u and v after scale."}}};
+         {"rotation", Kind::number, 0.0, Range{-36000.0, 36000.0}, "degrees", "Turns u and v, anticlockwise, after scale."},
+         {"offset", Kind::vector2, glm::dvec2(0.0), Range{-1e6, 1e6}, "", "Added to u and v at last."}}};
+    return table;
+}
+
+const Table& vertex_color() {
+    static const Table table{"vertex_color",
+                             "a vertex color",
+                             "The colours that a mesh brings along for its vertices; white where it has none.",
+                             {{"type", Kind::choice, none, any, "", "vertex_color", true, {"vertex_color"}}}};
+    return table;
+}
+
+const Table& face_color() {
+    static const Table table{"face_color",
+                             "a face color",
+                             "The colours that a mesh brings along for its faces; white where it has none.",
+                             {{"type", Kind::choice, none, any, "", "face_color", true, {"face_color"}}}};
+    return table;
+}
+
+const Table& texture_value() {
+    static const Table table{
+        "texture_value",
+        "a number from a texture",
+        "A number that a texture gives: offset + scale * channel.",
+        {{"texture", Kind::texture, glm::dvec3(1.0), share, "", "An image, a checker or the colours of a mesh.", true},
+         {"channel", Kind::choice, "red", any, "", "Which part of its colour is meant.", false, {"red", "green", "blue", "alpha"}},
+         {"scale", Kind::number, 1.0, Range{-1e6, 1e6}, "", "Multiplies it."},
+         {"offset", Kind::number, 0.0, Range{-1e6, 1e6}, "", "Added to it."}}};
     return table;
 }
 
@@ -264,18 +310,28 @@ const Table& mesh() {
                {"triangles", Kind::triangles, none, corner, "", "Three numbers of corners each, counted from 0."},
                {"normals", Kind::vectors3, none, Range{-1e6, 1e6}, "", "One for each corner."},
                {"uvs", Kind::vectors2, none, Range{-1e6, 1e6}, "", "Texture coordinates [u, v], one for each corner."},
+               {"colors", Kind::vectors3, none, share, "", "Linear [r, g, b], one for each corner, for vertex_color textures."},
+               {"face_colors", Kind::vectors3, none, share, "", "Linear [r, g, b], one for each triangle, for face_color textures."},
                {"smooth", Kind::flag, true, any, "", "Use the normals of the corners, where there are any."}});
     return table;
 }
 
 const Table& background() {
-    static const Table table{"background",
-                             "a background",
-                             "What is seen where there is nothing: one color, or a gradient from below to above.",
-                             {{"color", Kind::color, origin, not_negative, "", "The same in every direction; instead of the others."},
-                              {"zenith", Kind::color, none, not_negative, "", "Straight up; horizon's when not written."},
-                              {"horizon", Kind::color, none, not_negative, "", "At eye level; the mean of the others when not written."},
-                              {"nadir", Kind::color, none, not_negative, "", "Straight down; horizon's when not written."}}};
+    static const Table table{
+        "background",
+        "a background",
+        "What is seen where there is nothing: one color, a gradient from below to above, or an image all around.",
+        {{"color", Kind::color, origin, not_negative, "", "The same in every direction; instead of the others."},
+         {"zenith", Kind::color, none, not_negative, "", "Straight up; horizon's when not written."},
+         {"horizon", Kind::color, none, not_negative, "", "At eye level; the mean of the others when not written."},
+         {"nadir", Kind::color, none, not_negative, "", "Straight down; horizon's when not written."},
+         {"image", Kind::file, none, any, "",
+          "A latitude-longitude picture, twice as wide as high, best an .exr or .hdr; instead of colors. Its middle lies along "
+          "-z, its right half towards +x."},
+         {"rotation", Kind::number, 0.0, Range{-36000.0, 36000.0}, "degrees",
+          "Turns the image about the y axis, counter-clockwise as seen from above."},
+         {"strength", Kind::number, 1.0, not_negative, "", "Times this."},
+         {"visible", Kind::flag, true, any, "", "Whether the camera sees it, and not only what it lights (path)."}}};
     return table;
 }
 
@@ -286,6 +342,18 @@ const Table& ambient() {
                              {{"color", Kind::color, glm::dvec3(1.0), not_negative, "", "Its colour.", true}}};
     return table;
 }
+
+namespace {
+
+std::vector<std::string_view> aov_words() {
+    std::vector<std::string_view> words;
+    for (const AovKind& kind : aov_kinds()) {
+        words.push_back(kind.name);
+    }
+    return words;
+}
+
+}  // namespace
 
 const Table& render() {
     static const Table table{
@@ -298,11 +366,27 @@ const Table& render() {
           "auto",
           any,
           "",
-          "How light is followed. auto: path where a material or a light follows physics, else whitted.",
+          "How light is followed. auto: path where a material or a light follows physics, else whitted. direct: path with one bounce.",
           false,
-          {"auto", "whitted", "path"}},
+          {"auto", "whitted", "path", "direct"}},
          {"bounces", Kind::integer, none, Range{0.0, 1024.0}, "",
-          "How often light goes on after the first hit; 5 for whitted (at most 24), 16 for path when not written."},
+          "How often light goes on after the first hit; 5 for whitted (at most 24), 16 for path, 1 for direct (at most) when not written."},
+         {"diffuse_bounces", Kind::integer, none, Range{0.0, 1024.0}, "",
+          "How many of them off matt surfaces: diffuse, plastic, and principled ones that are more body than metal or glass (path); all "
+          "when not "
+          "written."},
+         {"glossy_bounces", Kind::integer, none, Range{0.0, 1024.0}, "",
+          "How many of them off other surfaces (path); all when not written."},
+         {"transmission_bounces", Kind::integer, none, Range{0.0, 1024.0}, "",
+          "How many of them through surfaces (path); all when not written."},
+         {"direct_samples",
+          Kind::choice,
+          "mis",
+          any,
+          "",
+          "How the direct integrator finds lamps: mis, both ways together; emitter, by asking them; bsdf, by scattered rays.",
+          false,
+          {"mis", "emitter", "bsdf"}},
          {"spp", Kind::integer, 64.0, Range{1.0, 1048576.0}, "", "Samples a pixel of the path integrator."},
          {"rgb", Kind::flag, false, any, "", "Paths carry linear RGB instead of wavelengths."},
          {"seed", Kind::integer, 0.0, Range{0.0, 2147483647.0}, "", "Another number, another noise."},
@@ -330,7 +414,18 @@ const Table& render() {
          {"min_weight", Kind::number, 0.0005, Range{0.0, 1.0}, "",
           "Reflected and refracted rays that can bring less than this share of their light to the pixel are not followed."},
          {"wavelengths", Kind::integer, 48.0, Range{1.0, 1024.0}, "", "How many carry a path through glass that spreads colours."},
-         {"exposure", Kind::number, 0.0, Range{-100.0, 100.0}, "stops", "Brightens the picture by 2^exposure."}}};
+         {"exposure", Kind::number, 0.0, Range{-100.0, 100.0}, "stops", "Brightens the picture by 2^exposure."},
+         {"view",
+          Kind::choice,
+          "srgb",
+          any,
+          "",
+          "How PNG, JPEG and the window show what is too bright for a display.",
+          false,
+          {"srgb", "pbr-neutral", "agx", "aces"}},
+         {"aovs", Kind::choices, none, any, "", "What EXR files hold beside the picture (path).", false, aov_words()},
+         {"spectral_bins", Kind::integer, 0.0, Range{0.0, 471.0}, "", "Channels of spectral radiance in EXR files (path)."},
+         {"float", Kind::flag, false, any, "", "EXR files hold 32-bit floats instead of halves."}}};
     return table;
 }
 

@@ -26,6 +26,22 @@ FN Mask is_clear(IN(Closure) c) {
     return either(is_equal(c.kind, Int(BSDF_DIELECTRIC)), principled);
 }
 
+// Whether nothing at all comes through it.
+FN Mask is_opaque(IN(Closure) c) {
+    Mask diffuse = either(is_equal(c.kind, Int(BSDF_DIFFUSE)), is_equal(c.kind, Int(BSDF_ROUGH_DIFFUSE)));
+    Mask coated = either(is_equal(c.kind, Int(BSDF_CONDUCTOR)), is_equal(c.kind, Int(BSDF_PLASTIC)));
+    Mask principled = without(is_equal(c.kind, Int(BSDF_PRINCIPLED)), c.transmission > Float(0.0f));
+    return either(either(diffuse, coated), principled);
+}
+
+// Whether what the surface sends back counts as diffuse, and not as glossy, where bounces are limited by kind.
+FN Mask is_matt(IN(Closure) c) {
+    Mask body =
+        either(is_equal(c.kind, Int(BSDF_DIFFUSE)), either(is_equal(c.kind, Int(BSDF_ROUGH_DIFFUSE)), is_equal(c.kind, Int(BSDF_PLASTIC))));
+    Float other = c.metalness + (Float(1.0f) - c.metalness) * c.transmission;
+    return either(body, both(is_equal(c.kind, Int(BSDF_PRINCIPLED)), other < Float(0.5f)));
+}
+
 // Value and density of a direction that was drawn elsewhere; smooth surfaces have none.
 FN BsdfValue bsdf_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 wi, Mask mask) {
     BsdfValue value = no_value();

@@ -1,0 +1,128 @@
+#include "lancer/film/film_sums.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "lancer/kernel/spectrum.h"
+
+namespace lancer {
+namespace {
+
+const double bins_from = static_cast<double>(kernel::FIRST_WAVELENGTH);
+const double bins_to = static_cast<double>(kernel::LAST_WAVELENGTH);
+
+glm::dvec3 wide(const glm::vec3& v) { return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)}; }
+
+bool is_number(const glm::vec3& v) { return !(std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z)); }
+
+void count_id(int id, IdCounts& counts) {
+    for (auto& [known, count] : counts) {
+        if (known == id) {
+            ++count;
+            return;
+        }
+    }
+    counts.emplace_back(id, 1u);
+}
+
+void add_hit(const FirstHit& hit, SurfaceSums& sums) {
+    if (hit.object < 0) {
+        return;
+    }
+    const double weight = static_cast<double>(hit.weight);
+    sums.albedo += wide(hit.albedo) * weight;
+    sums.normal += wide(hit.normal) * weight;
+    sums.position += wide(hit.position);
+    sums.depth += static_cast<double>(hit.depth);
+    sums.uv += glm::dvec2(static_cast<double>(hit.uv.x), static_cast<double>(hit.uv.y));
+    ++sums.hits;
+}
+
+}  // namespace
+
+FilmSums::FilmSums(int width, int height, const FilmLayers& layers) : width_(width), height_(height), layers_(layers) {
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    counts_.resize(pixels);
+    sums_.assign(pixels, glm::dvec3(0.0));
+    squares_.assign(layers.variance ? pixels : 0, glm::dvec3(0.0));
+    direct_.assign(layers.direct ? pixels : 0, glm::dvec3(0.0));
+    surfaces_.resize(layers.surface ? pixels : 0);
+    objects_.resize(layers.ids ? pixels : 0);
+    materials_.resize(layers.ids ? pixels : 0);
+    bins_.resize(pixels * static_cast<std::size_t>(layers.spectral_bins));
+}
+
+void FilmSums::add(std::size_t pixel, const PathSamples& samples) {
+    assert(samples.direct.empty() == !layers_.direct && samples.first_hits.empty() == !layers_.first_hits());
+    glm::dvec3 sum(0.0), squares(0.0), direct(0.0);
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < samples.radiance.size(); ++i) {
+        if (!is_number(samples.radiance[i])) {
+            continue;
+        }
+        ++count;
+        const glm::dvec3 value = wide(samples.radiance[i]);
+        sum += value;
+        if (layers_.variance) {
+            squares += value * value;
+        }
+        if (layers_.direct) {
+            direct += wide(samples.direct[i]);
+        }
+        if (layers_.surface) {
+            add_hit(samples.first_hits[i], surfaces_[pixel]);
+        }
+        if (layers_.ids && samples.first_hits[i].object >= 0) {
+            count_id(samples.first_hits[i].object, objects_[pixel]);
+            count_id(samples.first_hits[i].material, materials_[pixel]);
+        }
+        if (layers_.spectral_bins > 0) {
+            add_bins(pixel, samples.spectra[i]);
+        }
+    }
+    counts_[pixel] += count;
+    sums_[pixel] += sum;
+    if (layers_.variance) {
+        squares_[pixel] += squares;
+    }
+    if (layers_.direct) {
+        direct_[pixel] += direct;
+    }
+}
+
+void FilmSums::add_bins(std::size_t pixel, const SpectralSample& sample) {
+    const double share = static_cast<double>(layers_.spectral_bins) / (bins_to - bins_from);
+    for (int i = 0; i < 4; ++i) {
+        const double place = (static_cast<double>(sample.nanometres[i]) - bins_from) * share;
+        const int bin = std::clamp(static_cast<int>(place), 0, layers_.spectral_bins - 1);
+        bins_[pixel * static_cast<std::size_t>(layers_.spectral_bins) + static_cast<std::size_t>(bin)] +=
+            static_cast<double>(sample.power[i]) * share;
+    }
+}
+
+glm::vec3 FilmSums::mean(std::size_t pixel) const {
+    return counts_[pixel] > 0 ? glm::vec3(sums_[pixel] / static_cast<double>(counts_[pixel])) : glm::vec3(0.0f);
+}
+
+glm::vec3 FilmSums::variance(std::size_t pixel) const {
+    const double n = static_cast<double>(counts_[pixel]);
+    if (counts_[pixel] < 2) {
+        return glm::vec3(std::numeric_limits<float>::infinity());
+    }
+    const glm::dvec3 spread = squares_[pixel] - sums_[pixel] * sums_[pixel] / n;
+    // What rounding leaves of equal samples may be below zero.
+    return glm::vec3(glm::dvec3(std::max(spread.x, 0.0), std::max(spread.y, 0.0), std::max(spread.z, 0.0)) / (n * (n - 1.0)));
+}
+
+glm::vec3 FilmSums::direct(std::size_t pixel) const {
+    return counts_[pixel] > 0 ? glm::vec3(direct_[pixel] / static_cast<double>(counts_[pixel])) : glm::vec3(0.0f);
+}
+
+float FilmSums::spectral(std::size_t pixel, int bin) const {
+    const double sum = bins_[pixel * static_cast<std::size_t>(layers_.spectral_bins) + static_cast<std::size_t>(bin)];
+    return counts_[pixel] > 0 ? static_cast<float>(sum / static_cast<double>(counts_[pixel])) : 0.0f;
+}
+
+}  // namespace lancer

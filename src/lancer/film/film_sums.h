@@ -1,0 +1,82 @@
+// What a picture of the path integrator rests on: sums over the samples of each pixel, and how many there were.
+//
+// A pixel's sums grow by whole ranges of samples in the order in which these are added: whoever adds them in the same order has the same bits.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "lancer/film/path_samples.h"
+
+namespace lancer {
+
+// Which sums are kept beside those of the picture itself.
+struct FilmLayers {
+    bool variance = false;
+    bool direct = false;
+    bool surface = false;  // what is seen first: albedo, normal, depth, position, uv
+    bool ids = false;      // of objects and materials
+    int spectral_bins = 0;
+
+    bool first_hits() const { return surface || ids; }
+};
+
+struct SurfaceSums {
+    glm::dvec3 albedo{0.0};  // by the filter's weights
+    glm::dvec3 normal{0.0};
+    glm::dvec3 position{0.0};  // of samples that met something, each counted once
+    double depth = 0.0;
+    glm::dvec2 uv{0.0};
+    std::uint32_t hits = 0;
+};
+
+// Ids and how many samples saw each, in the order in which they came.
+using IdCounts = std::vector<std::pair<int, std::uint32_t>>;
+
+class FilmSums {
+public:
+    FilmSums(int width, int height, const FilmLayers& layers);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    const FilmLayers& layers() const { return layers_; }
+
+    // Adds the samples (of one pixel) but those that are NaN. Different pixels may be added to by several threads.
+    void add(std::size_t pixel, const PathSamples& samples);
+
+    std::uint32_t count(std::size_t pixel) const { return counts_[pixel]; }  // of the samples in the sums
+    glm::vec3 mean(std::size_t pixel) const;                                 // 0 where there is none
+
+    // Of the mean, by colour: the spread of the samples over their count. Unbiased for independent samples; evenly spread ones, as Owen-scrambled
+    // Sobol points are, do better than it says [Owen 1997]. Infinite where there are fewer than two samples.
+    glm::vec3 variance(std::size_t pixel) const;
+
+    glm::vec3 direct(std::size_t pixel) const;  // its mean
+    const SurfaceSums& surface(std::size_t pixel) const { return surfaces_[pixel]; }
+    const IdCounts& objects(std::size_t pixel) const { return objects_[pixel]; }
+    const IdCounts& materials(std::size_t pixel) const { return materials_[pixel]; }
+
+    // Mean spectral radiance over the bin, per nanometre. Bins split the visible, 360 to 830 nm, evenly.
+    float spectral(std::size_t pixel, int bin) const;
+
+private:
+    void add_bins(std::size_t pixel, const SpectralSample& sample);
+
+    int width_;
+    int height_;
+    FilmLayers layers_;
+    std::vector<std::uint32_t> counts_;
+    std::vector<glm::dvec3> sums_;
+    std::vector<glm::dvec3> squares_;
+    std::vector<glm::dvec3> direct_;
+    std::vector<SurfaceSums> surfaces_;
+    std::vector<IdCounts> objects_;
+    std::vector<IdCounts> materials_;
+    std::vector<double> bins_;  // spectral_bins for each pixel
+};
+
+}  // namespace lancer

@@ -1,0 +1,33 @@
+// From LightSource directives to the scene's lights and surroundings.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+
+#include "lancer/import/pbrt/graphics_state.h"
+#include "lancer/scene/scene.h"
+
+namespace lancer::pbrt {
+
+class Lights {
+public:
+    Lights(ImportContext& context, scene::Scene& scene) : context_(context), scene_(scene) {}
+
+    void set_version3(bool version3) { version3_ = version3; }
+
+    void add(const Recipe& light, const glm::dmat4& to_world);
+
+    // `brightness` is a factor for all light. A scene that is dark gets light from everywhere, and a word about it.
+    void finish(double brightness);
+
+private:
+    void add_point(const Recipe& light, const glm::dmat4& to_world);
+    void add_spot(const Recipe& light, const glm::dmat4& to_world);
+    void add_distant(const Recipe& light, const glm::dmat4& to_world);
+    void add_infinite(const Recipe& light, const glm::dmat4& to_world);
+
+    ImportContext& context_;
+    scene::Scene& scene_;
+    bool version3_ = false;
+};
+
+}  // namespace lancer::pbrt

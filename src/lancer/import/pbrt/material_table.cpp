@@ -1,0 +1,138 @@
+#include "lancer/import/pbrt/material_table.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "lancer/import/pbrt/light_power.h"
+#include "lancer/import/pbrt/materials.h"
+
+namespace lancer::pbrt {
+
+int MaterialTable::add(Recipe material) {
+    recipes_.push_back(std::move(material));
+    return static_cast<int>(recipes_.size()) - 1;
+}
+
+void MaterialTable::add_named(const std::string& name, Recipe material) { named_[name].push_back(add(std::move(material))); }
+
+int MaterialTable::add_area_light(Recipe light) {
+    area_lights_.push_back(std::move(light));
+    return static_cast<int>(area_lights_.size()) - 1;
+}
+
+int MaterialTable::material_for(const Choice& choice, const Parameters& shape, double area) {
+    // Only of a light with a total power the brightness depends on the area.
+    const bool has_power = choice.area_light >= 0 && area_lights_[static_cast<std::size_t>(choice.area_light)].parameters.has("power");
+    const auto [found, is_new] = numbers_.try_emplace(std::make_pair(choice, has_power ? area : 0.0), static_cast<int>(wanted_.size()));
+    if (is_new) {
+        wanted_.push_back({choice, area, shape.position()});
+    }
+    return found->second;
+}
+
+const Recipe* MaterialTable::find(const MaterialChoice& choice, const SourcePosition& position) {
+    if (choice.recipe >= 0) {
+        return &recipes_[static_cast<std::size_t>(choice.recipe)];
+    }
+    if (choice.name.empty()) {
+        return nullptr;
+    }
+    const auto found = named_.find(choice.name);
+    if (found == named_.end()) {
+        std::vector<std::string> known;
+        for (const auto& [name, recipes] : named_) {
+            known.push_back(name);
+        }
+        context_.diagnostics.warning(position, fmt::format("there is no material \"{}\": a grey diffuse one stands for it{}", choice.name,
+                                                           did_you_mean(choice.name, known)));
+        context_.report.dropped(fmt::format("NamedMaterial \"{}\"", choice.name), "there is no such material", position);
+        return nullptr;
+    }
+    const Recipe* best = &recipes_[static_cast<std::size_t>(found->second.front())];
+    for (const int number : found->second) {
+        const Recipe& recipe = recipes_[static_cast<std::size_t>(number)];
+        best = recipe.sequence < choice.sequence ? &recipe : best;
+    }
+    return best;
+}
+
+std::optional<scene::Emission> MaterialTable::emission(const Wanted& wanted, double brightness) const {
+    if (wanted.choice.area_light < 0) {
+        return std::nullopt;
+    }
+    const Recipe& light = area_lights_[static_cast<std::size_t>(wanted.choice.area_light)];
+    const Parameters& parameters = light.parameters;
+    if (light.type != "diffuse" && !(version3_ && light.type == "area")) {
+        context_.diagnostics.error(parameters.position(), "the only area light is \"diffuse\"");
+        return std::nullopt;
+    }
+    scene::Emission emission;
+    const LightColor color = read_light_color(light, "L", version3_);
+    emission.radiance = color.color;
+    emission.strength = color.scale * brightness;
+    emission.both_sides = parameters.boolean("twosided", false);
+    if (const auto power = parameters.number("power"); power && *power > 0.0) {
+        const double sides = emission.both_sides ? 2.0 : 1.0;
+        emission.strength *= *power / (std::numbers::pi * wanted.area * sides);
+    }
+    if (parameters.has("filename")) {
+        context_.report.approximated(parameters.owner() + " with \"filename\"", "the same light everywhere", parameters.position());
+    }
+    parameters.pass_over({"nsamples", "samples"});
+    context_.report.honoured(parameters.owner(), parameters.position());
+    return emission;
+}
+
+// What a homogeneous medium swallows can be told of the body around it.
+void MaterialTable::fill_with_medium(const Wanted& wanted, scene::Material& material) const {
+    auto* body = std::get_if<scene::DielectricMaterial>(&material.model);
+    if (wanted.choice.inside.empty()) {
+        return;
+    }
+    const auto found = media_.find(wanted.choice.inside);
+    if (found == media_.end()) {
+        return;
+    }
+    const Recipe& medium = found->second;
+    const Parameters& parameters = medium.parameters;
+    const std::string owner = fmt::format("MakeNamedMedium \"{}\"", wanted.choice.inside);
+    const std::string type = parameters.string("type", "homogeneous");
+    const Parameter* swallows = parameters.find("sigma_a");
+    const Parameter* scatters = parameters.find("sigma_s");
+    if (type != "homogeneous" || body == nullptr || body->thin || swallows == nullptr) {
+        context_.report.dropped(owner, "fog is not rendered yet", parameters.position());
+        return;
+    }
+    const auto absorption = read_curve(parameters, *swallows, medium.space);
+    const auto scattering = scatters != nullptr ? read_curve(parameters, *scatters, medium.space) : SpectralCurve(1.0);
+    if (!absorption || !scattering) {
+        return;
+    }
+    if (scattering->highest() > 0.0) {
+        context_.report.dropped(owner + ": what it scatters", "fog is not rendered yet", parameters.position());
+    } else {
+        context_.report.honoured(owner, parameters.position());
+    }
+    if (const auto numbers = parameters.numbers_of(*swallows); swallows->type == "rgb" && numbers.size() == 3) {
+        body->absorption = scene::Rgb(numbers[0], numbers[1], numbers[2]) * parameters.number("scale", 1.0);
+    }
+}
+
+void MaterialTable::finish(scene::Scene& scene, double brightness) {
+    for (const Wanted& wanted : wanted_) {
+        const Recipe* recipe = find(wanted.choice.material, wanted.position);
+        scene::Material material = recipe != nullptr ? build_material(*recipe, textures_, version3_)
+                                                     : scene::Material{{}, scene::DiffuseMaterial{scene::Rgb(0.5), 0.0}, wanted.position};
+        material.name = wanted.choice.material.name;
+        material.emission = emission(wanted, brightness);
+        fill_with_medium(wanted, material);
+        scene.materials.push_back(std::move(material));
+    }
+    for (const Recipe& recipe : recipes_) {
+        recipe.parameters.warn_of_unused();
+    }
+}
+
+}  // namespace lancer::pbrt

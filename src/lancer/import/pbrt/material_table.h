@@ -1,0 +1,63 @@
+// The scene's materials: what pbrt puts together at each shape from a material, an area light and the media on both sides.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lancer/import/pbrt/graphics_state.h"
+#include "lancer/import/pbrt/textures.h"
+#include "lancer/scene/scene.h"
+
+namespace lancer::pbrt {
+
+class MaterialTable {
+public:
+    MaterialTable(ImportContext& context, const Textures& textures) : context_(context), textures_(textures) {}
+
+    void set_version3(bool version3) { version3_ = version3; }
+
+    int add(Recipe material);
+    void add_named(const std::string& name, Recipe material);
+    int add_area_light(Recipe light);
+    void add_medium(const std::string& name, Recipe medium) { media_.insert_or_assign(name, std::move(medium)); }
+
+    struct Choice {
+        MaterialChoice material;
+        int area_light = -1;
+        std::string inside;
+        std::string outside;
+
+        auto operator<=>(const Choice&) const = default;
+    };
+
+    // The number that the material will have in the scene. `area`: of the shape in square metres, where it shines.
+    int material_for(const Choice& choice, const Parameters& shape, double area);
+
+    // Makes all of them; named ones may have been defined after their use. `brightness` is a factor for all light.
+    void finish(scene::Scene& scene, double brightness);
+
+private:
+    struct Wanted {
+        Choice choice;
+        double area = 0.0;
+        SourcePosition position;  // of the first shape
+    };
+
+    const Recipe* find(const MaterialChoice& choice, const SourcePosition& position);
+    std::optional<scene::Emission> emission(const Wanted& wanted, double brightness) const;
+    void fill_with_medium(const Wanted& wanted, scene::Material& material) const;
+
+    ImportContext& context_;
+    const Textures& textures_;
+    bool version3_ = false;
+    std::vector<Recipe> recipes_;
+    std::map<std::string, std::vector<int>, std::less<>> named_;  // in the order of their definitions
+    std::vector<Recipe> area_lights_;
+    std::map<std::string, Recipe, std::less<>> media_;
+    std::vector<Wanted> wanted_;
+    std::map<std::pair<Choice, double>, int> numbers_;
+};
+
+}  // namespace lancer::pbrt

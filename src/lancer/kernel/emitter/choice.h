@@ -1,0 +1,100 @@
+// Which emitter is asked, seen from a point.
+#ifndef LANCER_KERNEL_EMITTER_CHOICE_H
+#define LANCER_KERNEL_EMITTER_CHOICE_H
+
+#include "lancer/kernel/distribution.h"
+#include "lancer/kernel/light.h"
+
+NAMESPACE_BEGIN
+
+const float LEAST_SLANT = 0.05f;  // what a mirror makes of a grazing lamp is not weighed too low
+
+// About the irradiance that the emitter can make at a point: what the choice among emitters is weighed by. Never 0 where light arrives. `facing` is
+// the normal there, length 1, of a surface that takes no light from behind; 0: from anywhere.
+FN Float emitter_weight(IN(EmitterRecord) emitter, Vec3 from, Vec3 facing) {
+    Float weight = Float(emitter.strength);
+    if (emitter.kind != EMITTER_ENVIRONMENT) {
+        Vec3 towards = broadcast(-emitter.direction);
+        Float radius = Float(0.0f);
+        Float distance = Float(1.0f);
+        if (emitter.kind != EMITTER_DIRECTIONAL) {
+            radius = Float(emitter.radius);
+            towards = broadcast(emitter.middle) - from;
+            Float distance_2 = max(max(dot(towards, towards), radius * radius), Float(SMALLEST));
+            distance = sqrt(distance_2);
+            weight = weight / distance_2;
+        }
+        // From the surface's side at most this much of the emitter is seen, at most this steep; roughly, but for what is wholly behind.
+        Float rises = clamp01((dot(towards, facing) + radius) / distance);
+        Mask sided = dot(facing, facing) > Float(0.5f);
+        Float seen = select(rises > Float(0.0f), max(rises, Float(LEAST_SLANT)), Float(0.0f));
+        weight = select(sided, weight * seen, weight);
+        if (emitter.kind == EMITTER_SPOT) {
+            weight = weight * spot_share(-dot(towards, broadcast(emitter.direction)) / distance, emitter.cos_outer, emitter.cos_inner);
+        }
+        if (emitter.planar != 0) {
+            // Nothing reaches points in its plane, or behind it; those near the plane see little of it.
+            Float slant = -dot(towards, broadcast(emitter.direction)) / distance;
+            slant = emitter.two_sided != 0 ? abs(slant) : slant;
+            weight = select(slant > Float(0.0f), weight * max(slant, Float(LEAST_SLANT)), Float(0.0f));
+        }
+    }
+    return weight;
+}
+
+struct EmitterChoice {
+    Int emitter;  // -1: none can be seen
+    Float chance;
+};
+
+FN EmitterChoice choose_emitter(IN(WorldRecord) world, Vec3 from, Vec3 facing, Float u, Mask mask) {
+    EmitterChoice choice;
+    choice.emitter = Int(-1);
+    choice.chance = Float(0.0f);
+    if (world.chosen_by_strength != 0) {
+        choice.emitter = find_share(world, Int(0), world.emitter_count, u, mask);
+        choice.chance = own_share(world, Int(0), choice.emitter, mask);
+    } else if (world.emitter_count == 1) {
+        Mask seen = emitter_weight(AT(world.emitters, 0), from, facing) > Float(0.0f);
+        choice.emitter = select(seen, Int(0), Int(-1));
+        choice.chance = select(seen, Float(1.0f), Float(0.0f));
+    } else {
+        Float sum = Float(0.0f);
+        for (int i = 0; i < world.emitter_count; ++i) {
+            sum = sum + emitter_weight(AT(world.emitters, i), from, facing);
+        }
+        Float goal = u * sum;
+        Float so_far = Float(0.0f);
+        for (int i = 0; i < world.emitter_count; ++i) {
+            Float weight = emitter_weight(AT(world.emitters, i), from, facing);
+            Mask here = both(goal >= so_far, weight > Float(0.0f));  // the last one that qualifies
+            choice.emitter = select(here, Int(i), choice.emitter);
+            choice.chance = select(here, weight / sum, choice.chance);
+            so_far = so_far + weight;
+        }
+    }
+    return choice;
+}
+
+FN Float emitter_chance(IN(WorldRecord) world, Vec3 from, Vec3 facing, Int emitter, Mask mask) {
+    Float chance = Float(0.0f);
+    if (world.chosen_by_strength != 0) {
+        chance = own_share(world, Int(0), select(is_above(emitter, Int(-1)), emitter, Int(0)), mask);
+    } else if (world.emitter_count == 1) {
+        chance = select(emitter_weight(AT(world.emitters, 0), from, facing) > Float(0.0f), Float(1.0f), Float(0.0f));
+    } else {
+        Float sum = Float(0.0f);
+        Float own = Float(0.0f);
+        for (int i = 0; i < world.emitter_count; ++i) {
+            Float weight = emitter_weight(AT(world.emitters, i), from, facing);
+            sum = sum + weight;
+            own = select(is_equal(emitter, Int(i)), weight, own);
+        }
+        chance = select(sum > Float(0.0f), own / max(sum, Float(SMALLEST)), Float(0.0f));
+    }
+    return chance;
+}
+
+NAMESPACE_END
+
+#endif
