@@ -494,8 +494,8 @@ TEST(Path, DirectLightIsTheSameEachWay) {
         }
         EXPECT_LT(both.error.y, 0.01 * both.mean.y);
         EXPECT_EQ(lit(scene::DirectSamples::mis, "path", true).mean, both.mean);
-        // Measured indices of a metal are more than three numbers.
-        if (!std::holds_alternative<scene::ConductorMaterial>(material.model)) {
+        // Measured indices of a metal are more than three numbers, and what a lacquer sends back into its body is no multiple of its colour.
+        if (std::holds_alternative<scene::DiffuseMaterial>(material.model)) {
             const Estimate spectral = lit(scene::DirectSamples::mis, "direct", false);
             EXPECT_NEAR(spectral.mean.y, both.mean.y, 0.02 * both.mean.y + 4.0 * spectral.error.y);
         }
@@ -541,7 +541,9 @@ TEST(Path, LimitedTransmission) {
         world.add(scene::Box{{-1.0, -1.0, 1.0}, {1.0, 1.0, 1.2}}, material);
         world.add(scene::Disk{{0.0, 0.0, -2.0}, {0.0, 0.0, 1.0}, 1.0}, world.material(diffuse(0.0, 1.0)));
         world.look({0.0, 0.0, 5.0}, {0.0, 0.0, -1.0});
-        EXPECT_NEAR(world.estimate(16).mean.x, most < 4 ? 0.0 : 1.0, 1e-5) << most;
+        const Estimate e = world.estimate(256);
+        // Russian roulette at the last border.
+        EXPECT_NEAR(e.mean.x, most < 4 ? 0.0 : 1.0, 4.0 * e.error.x) << most;
     }
 }
 

@@ -14,10 +14,10 @@ FN Float fresnel_conductor(Float cosine, Float n, Float k) {
     Float t0 = n * n - k * k - s2;
     Float a2_b2 = sqrt(t0 * t0 + Float(4.0f) * n * n * k * k);
     Float a = sqrt(max(Float(0.5f) * (a2_b2 + t0), Float(0.0f)));
-    Float across = (a2_b2 + c2 - Float(2.0f) * a * cosine) / (a2_b2 + c2 + Float(2.0f) * a * cosine);
+    Float across = (a2_b2 + c2 - Float(2.0f) * a * cosine) / max(a2_b2 + c2 + Float(2.0f) * a * cosine, Float(SMALLEST));
     Float t3 = a2_b2 * c2 + s2 * s2;
     Float t4 = Float(2.0f) * a * cosine * s2;
-    Float along = across * (t3 - t4) / (t3 + t4);
+    Float along = across * (t3 - t4) / max(t3 + t4, Float(SMALLEST));  // straight on, where n and k are 0, nothing is left to divide
     return Float(0.5f) * (across + along);
 }
 
