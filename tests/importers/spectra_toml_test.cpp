@@ -71,9 +71,11 @@ TEST_P(WrongSpectrum, IsExplained) {
 INSTANTIATE_TEST_SUITE_P(
     All, WrongSpectrum,
     ::testing::Values(
-        Wrong{"NearName", "background = { illuminant = 'D56' }\n", ":1:29: error: there is no illuminant \"D56\"; did you mean \"D65\"?"},
-        Wrong{"NoName", "background = { illuminant = 'neon tube' }\n",
-              ":1:29: error: there is no illuminant \"neon tube\"; known are A, C, D50 and 17 more"},
+        Wrong{"NearName", "background = { illuminant = 'DD65' }\n[[sphere]]\n",
+              ":1:29: error: there is no illuminant \"DD65\"; did you mean \"D65\"?"},
+        Wrong{"NoName", "background = { illuminant = 'neon tube' }\n[[sphere]]\n",
+              ":1:29: error: there is no illuminant \"neon tube\"; known are A, C, D50, D55, D60, D65, D75, E, FL1, FL2, "
+              "FL3, FL4, FL5, FL6, FL7, FL8, FL9, FL10, FL11, FL12"},
         Wrong{"Metal", COLOR "{ metal = 'goldd' }\n[[sphere]]\n", ":3:19: error: there is no metal \"goldd\"; did you mean \"gold\"?"},
         Wrong{"Two", "background = { illuminant = 'A', blackbody = 2700 }\n",
               ":1:46: error: a spectrum has either \"illuminant\" or \"blackbody\""},
@@ -81,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"LightAsShare", COLOR "{ blackbody = 2700 }\n[[sphere]]\n",
               ":3:23: error: \"blackbody\" is a light; \"color\" is a share of light, from 0 to 1"},
         Wrong{"MetalAsLight", "background = { metal = 'gold' }\n",
-              ":1:24: error: \"metal\" is what a surface mirrors; \"color\" is a light"},
+              ":1:24: error: \"metal\" is what a surface mirrors; \"background\" is a light"},
         Wrong{"LuminanceOfShare", COLOR "{ wavelengths = [500], values = [0.5], luminance = 1 }\n[[sphere]]\n",
               ":3:25: error: \"luminance\" is for lights; \"color\" is none"},
         Wrong{"TooBright", COLOR "{ wavelengths = [500, 600], values = [0.5, 1.5] }\n[[sphere]]\n",
@@ -92,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
               ":1:51: error: \"wavelengths\" and \"values\" belong together: as many of both, at least one, not 2 and 1"},
         Wrong{"Falls", "background = { wavelengths = [600, 500], values = [1, 1] }\n",
               ":1:30: error: \"wavelengths\" must rise: 500 nm comes after 600 nm"},
-        Wrong{"NoFile", "background = { spectrum = 'nowhere.csv' }\n", ":1:27: error: nowhere.csv: there is no such file"},
+        Wrong{"NoFile", "background = { spectrum = 'nowhere.csv' }\n", ":1:27: error: cannot read \"nowhere.csv\": there is no such file"},
         Wrong{"Unknown", "background = { illuminant = 'A', brightness = 2 }\n",
               ":1:34: error: a spectrum has no \"brightness\"; it may have illuminant, blackbody, daylight, spectrum, wavelengths, values, "
               "metal, rgb, "

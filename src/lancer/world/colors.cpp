@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "lancer/kernel/spectrum.h"
 #include "lancer/spectrum/illuminant.h"
@@ -18,6 +19,21 @@ kernel::ColorRecord no_color() {
     record.illuminant = -1;
     record.texture = -1;
     return record;
+}
+
+// Means around each nanometre: a measured light may end or jump anywhere.
+SpectralCurve means(const SpectralCurve& curve) {
+    constexpr int parts = 32;
+    std::vector<double> nanometres, values;
+    for (int i = 0; i < kernel::WAVELENGTH_COUNT; ++i) {
+        nanometres.push_back(static_cast<double>(kernel::FIRST_WAVELENGTH) + i);
+        double sum = 0.0;
+        for (int j = 0; j < parts; ++j) {
+            sum += curve.at(nanometres.back() - 0.5 + (j + 0.5) / parts);
+        }
+        values.push_back(sum / parts);
+    }
+    return SpectralCurve(nanometres, values, SpectralCurve::Beyond::zero);
 }
 
 }  // namespace
@@ -56,7 +72,7 @@ kernel::ColorRecord Colors::reflectance(const CompiledTexture& texture) {
 
 kernel::ColorRecord Colors::light(const scene::Color& color, double strength) {
     if (color.spectrum) {
-        return curve(light_curve(*color.spectrum).scaled(strength), emitted(color) * strength);
+        return curve(means(light_curve(*color.spectrum).scaled(strength)), emitted(color) * strength);
     }
     const scene::Rgb rgb = color.rgb * strength;
     if (daylight_ < 0 && world_.spectral) {
