@@ -26,8 +26,9 @@ def kind(key):
     """What may be written, in words."""
     if "$ref" in key:
         name = key["$ref"].rsplit("/", 1)[1]
-        words = {"color_text": None, "checker": "a checker", "image": "an image", "vertex_color": None, "face_color": "colors of a mesh",
-                 "texture_value": "`{ texture, channel, scale, offset }`", "abbe_glass": "`{ index, abbe_number }`",
+        words = {"color_text": None, "spectrum": "a spectrum", "curve": "a curve", "checker": "a checker", "image": "an image",
+                 "vertex_color": None, "face_color": "colors of a mesh", "texture_value": "`{ texture, channel, scale, offset }`",
+                 "abbe_glass": "`{ index, abbe_number }`",
                  "sellmeier_glass": "`{ b, c }`", "axis_rotation": "`{ axis, angle }`", "material": "a material"}
         return words.get(name, "a " + name.replace("_", " "))
     if "const" in key:

@@ -55,6 +55,7 @@ done
 for scene in metals clear-bodies plastics principled depth-of-field lamps; do
     picture "$scene" "features/$scene" "${small[@]}"
 done
+picture metamers features/metamers --size 960x400
 picture environment features/environment "${small[@]}"
 for samples in emitter bsdf mis; do
     picture "direct-$samples" features/direct-light --direct-samples "$samples" --size 480x320

@@ -169,6 +169,16 @@ FilmSums spectrum_of(Samples& samples, int bins) {
     return sums;
 }
 
+// Four standard errors of a bin's value, as a share of it: by how many of the paths' wavelengths fall into it.
+double error_of_bin(const World& world, int bin, int bins, std::size_t paths) {
+    double share = 0.0;
+    for (int i = 0; i < kernel::WAVELENGTH_COUNT; ++i) {
+        const bool inside = i * bins / (kernel::WAVELENGTH_COUNT - 1) == bin;
+        share += inside ? static_cast<double>(world.wavelength_densities[static_cast<std::size_t>(i)]) : 0.0;
+    }
+    return 4.0 / std::sqrt(share * 4.0 * static_cast<double>(paths));
+}
+
 TEST(SpectralBins, AreEqualInAFurnaceOfEqualEnergy) {
     PathWorld world(4, 200, false);
     world.add(scene::Sphere{{0.0, 0.0, 5.0}, 2.0}, world.material(diffuse(scene::Rgb(0.5), 1.0)));
@@ -177,17 +187,18 @@ TEST(SpectralBins, AreEqualInAFurnaceOfEqualEnergy) {
     light.coefficients = kernel::vec3(0.0f);  // a half
     light.scale = 2.0f;
     light.curve = light.illuminant = light.texture = -1;
-    Samples samples = trace(compiled, 4, 4096);
+    Samples samples = trace(compiled, 4, 16384);
     const FilmSums sums = spectrum_of(samples, 16);
     for (int bin = 0; bin < 16; ++bin) {
-        EXPECT_NEAR(sums.spectral(0, bin), 2.0f, 0.03f) << bin;
+        EXPECT_NEAR(static_cast<double>(sums.spectral(0, bin)), 2.0, 2.0 * error_of_bin(*compiled, bin, 16, samples.spectra.size())) << bin;
     }
 }
 
 TEST(SpectralBins, HoldTheCurveOfD65AndGiveTheRgbPicture) {
     PathWorld world(4, 1, false);
     world.set_background(1.0, 1.0, 1.0);
-    Samples samples = trace(world.compile(), 4, 4096);
+    const auto compiled = world.compile();
+    Samples samples = trace(compiled, 4, 16384);
     constexpr int bins = 47;  // ten nanometres each
     const FilmSums sums = spectrum_of(samples, bins);
     glm::dvec3 rgb(0.0);
@@ -198,7 +209,7 @@ TEST(SpectralBins, HoldTheCurveOfD65AndGiveTheRgbPicture) {
             mean += unit_d65().at(nanometres) / 100.0;
         }
         const double value = static_cast<double>(sums.spectral(0, bin));
-        EXPECT_NEAR(value, mean, 0.03 * mean) << bin;
+        EXPECT_NEAR(value, mean, mean * error_of_bin(*compiled, bin, bins, samples.spectra.size())) << bin;
         for (int i = 0; i < 10; ++i) {
             rgb += value * sensor_weight(360.0 + 10.0 * bin + i + 0.5);
         }

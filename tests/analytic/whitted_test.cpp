@@ -47,7 +47,7 @@ TEST(Whitted, SphereUnderALampByHand) {
     const glm::dvec3 color(0.8, 0.4, 0.2);
     const glm::dvec3 lamp = 0.9 * glm::dvec3(1.0, 0.5, 0.25);
     const glm::dvec3 expected =
-        world.scene.ambient * 0.25 * color + lamp * (0.5 * color * std::cos(angle) + 0.75 * std::pow(std::cos(angle), 10.0));
+        world.scene.ambient.rgb * 0.25 * color + lamp * (0.5 * color * std::cos(angle) + 0.75 * std::pow(std::cos(angle), 10.0));
     expect_color(world.ahead(), expected);
 }
 

@@ -224,7 +224,8 @@ const Mistake materials[] = {
     {"Index", "[material.m]\nrefraction = 0\n", {":2:14: error: \"refraction\" must be from 0.1 to 10, not 0"}},
     {"GlassType",
      "[material.m]\nrefraction = true\n",
-     {":2:14: error: \"refraction\" must be a refractive index, the name of a glass, { index, abbe_number } or { b, c }, not true or "
+     {":2:14: error: \"refraction\" must be a refractive index, the name of a glass, { index, abbe_number }, { b, c } or a curve, not true "
+      "or "
       "false"}},
     {"AbbeNumber",
      "[material.m]\nrefraction = { index = 1.5, abbe_number = 0 }\n",

@@ -92,7 +92,7 @@ TEST(Toml, LeavesWhatIsNotWrittenAtTheDefaultsOfTheStructs) {
     const scene::WhittedMaterial preset;
     for (std::size_t i : {0u, 1u}) {  // [material.m], and the one of shapes without a material
         const scene::WhittedMaterial& m = whitted(s, i);
-        EXPECT_EQ(std::get<Rgb>(m.color), std::get<Rgb>(preset.color));
+        EXPECT_EQ(std::get<scene::Color>(m.color), std::get<scene::Color>(preset.color));
         EXPECT_EQ(m.ambient, preset.ambient);
         EXPECT_EQ(m.diffuse, preset.diffuse);
         EXPECT_EQ(m.highlight, preset.highlight);
@@ -253,10 +253,10 @@ material = "name"
 material = "linear"
 )");
     // The sRGB curve: 0x80 = 128/255 -> 0.21586, 0x40 -> 0.05127, 0x88 -> 0.24620, 0xa5 -> 0.37626.
-    expect_near(std::get<Rgb>(whitted(s, 0).color), Rgb(0.2158605, 0.0512695, 1.0), 1e-6);
-    expect_near(std::get<Rgb>(whitted(s, 1).color), Rgb(1.0, 0.2462013, 0.0), 1e-6);
-    expect_near(std::get<Rgb>(whitted(s, 2).color), Rgb(1.0, 0.3762621, 0.0), 1e-6);
-    EXPECT_EQ(std::get<Rgb>(whitted(s, 3).color), Rgb(0.1, 0.2, 0.3));
+    expect_near(std::get<scene::Color>(whitted(s, 0).color).rgb, Rgb(0.2158605, 0.0512695, 1.0), 1e-6);
+    expect_near(std::get<scene::Color>(whitted(s, 1).color).rgb, Rgb(1.0, 0.2462013, 0.0), 1e-6);
+    expect_near(std::get<scene::Color>(whitted(s, 2).color).rgb, Rgb(1.0, 0.3762621, 0.0), 1e-6);
+    EXPECT_EQ(std::get<scene::Color>(whitted(s, 3).color).rgb, Rgb(0.1, 0.2, 0.3));
 }
 
 TEST(Toml, ReadsTextures) {

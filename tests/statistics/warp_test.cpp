@@ -1,4 +1,4 @@
-// Points and directions made of two uniform numbers, wavelengths of one, and visible facets.
+// Points and directions made of two uniform numbers, and visible facets.
 #include "lancer/kernel/warp.h"
 
 #include <cmath>
@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "lancer/kernel/bsdf/microfacet.h"
-#include "lancer/kernel/spectrum.h"
 #include "statistics/bsdf_cases.h"
 #include "statistics/chi_squared.h"
 
@@ -76,20 +75,6 @@ TEST(Warp, Triangle) {
         },
         [](double x, double) { return 2.0 * x; });
     EXPECT_TRUE(verdict.right()) << verdict.words();
-}
-
-TEST(Warp, Wavelengths) {
-    const double span = double(LAST_WAVELENGTH - FIRST_WAVELENGTH);
-    for (int which = 0; which < 4; ++which) {
-        const Verdict verdict = check(
-            [&](Vec2 u) {
-                const Vec4 w = wavelengths_at(u.x);
-                const float nanometres = which == 0 ? w.x : which == 1 ? w.y : which == 2 ? w.z : w.w;
-                return Place{double(nanometres - FIRST_WAVELENGTH) / span, double(u.y)};
-            },
-            [&](double x, double) { return double(wavelength_density(static_cast<float>(double(FIRST_WAVELENGTH) + x * span))) * span; });
-        EXPECT_TRUE(verdict.right()) << "wavelength " << which << ": " << verdict.words();
-    }
 }
 
 Facets facets(float x, float y, bool beckmann) {

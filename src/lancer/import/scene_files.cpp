@@ -6,6 +6,7 @@
 
 #include "lancer/import/obj/obj.h"
 #include "lancer/import/ply/ply.h"
+#include "lancer/spectrum/curve_file.h"
 
 namespace lancer {
 
@@ -66,6 +67,19 @@ bool SceneFiles::image(const std::string& path, const SourcePosition& named_at) 
             diagnostics_.warning(named_at, problems.list().front().message + ": it is magenta instead");
         } else {
             diagnostics_.append(std::move(problems));
+        }
+    }
+    return found->second;
+}
+
+std::optional<SpectralCurve> SceneFiles::curve(const std::string& path, const SourcePosition& named_at) {
+    const auto [found, is_new] = curves_.try_emplace(path);
+    if (is_new) {
+        if (const auto bytes = read_file(path, named_at, diagnostics_)) {
+            add_to_hash(bytes->view());
+            if (const auto curves = parse_curves(bytes->view(), path, 1, SpectralCurve::Beyond::constant, diagnostics_)) {
+                found->second = curves->front();
+            }
         }
     }
     return found->second;

@@ -13,6 +13,7 @@
 #include "lancer/base/hash.h"
 #include "lancer/import/import.h"
 #include "lancer/scene/scene.h"
+#include "lancer/spectrum/curve.h"
 
 namespace lancer {
 
@@ -33,6 +34,9 @@ public:
     // Whether the picture is there; its pixels are read later. Without it: an error, or a warning where missing pictures are to be magenta.
     bool image(const std::string& path, const SourcePosition& named_at);
 
+    // A measured curve of one value a wavelength, with the same value beyond its ends. Nothing when it can't be read, as above.
+    std::optional<SpectralCurve> curve(const std::string& path, const SourcePosition& named_at);
+
     // Of everything so far, in the order of reading; hexadecimal.
     std::string hash() const;
 
@@ -45,6 +49,7 @@ private:
     std::vector<Hash> hashes_;
     std::map<std::string, std::shared_ptr<const scene::TriangleMesh>> meshes_;
     std::map<std::string, bool> images_;
+    std::map<std::string, std::optional<SpectralCurve>> curves_;
 };
 
 }  // namespace lancer

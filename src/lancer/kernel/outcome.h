@@ -18,9 +18,11 @@ FN Vec3 light_in_pixel(IN(WorldRecord) world, IN(PathState) path, Spectrum light
 }
 
 // What each wavelength adds to the integral over all of them.
-FN Spectrum power_in_pixel(IN(PathState) path) {
-    Vec4 density = vec4_of(wavelength_density(path.nanometres.x), wavelength_density(path.nanometres.y),
-                           wavelength_density(path.nanometres.z), wavelength_density(path.nanometres.w));
+FN Spectrum power_in_pixel(IN(WorldRecord) world, IN(PathState) path, Mask mask) {
+    Vec4 density = vec4_all(Float(1.0f));
+    if (world.spectral != 0) {
+        density = wavelength_densities(world, path.nanometres, mask);
+    }
     return path.radiance / density * (path.weight * Float(0.25f));
 }
 

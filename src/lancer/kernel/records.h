@@ -121,6 +121,7 @@ const int TEXELS_RGBA_FLOAT = 3;
 
 const int REFRACTION_CAUCHY = 0;     // n = a[0] + a[1] / nm^2; a constant index has a[1] = 0
 const int REFRACTION_SELLMEIER = 1;  // a = B1 B2 B3, b = C1 C2 C3 in square micrometres
+const int REFRACTION_CURVE = 2;      // curves[curve]
 
 struct TextureRecord {
     int kind;
@@ -158,6 +159,7 @@ struct MediumRecord {
     vec3 refraction_a;
     vec3 refraction_b;
     vec3 absorption;  // linear RGB, per metre
+    int curve;
 };
 
 // ---- Lights, camera, surroundings -------------------------------------------------------------------------------------------------
@@ -259,12 +261,14 @@ struct WorldRecord {
     MediumTable media;
     MaterialTable surfaces;  // surfaces[i] is materials[i] for light that follows physics
     EmitterTable emitters;
-    FloatTable distributions;  // cumulative shares, see EmitterRecord
-    FloatTable curves;         // WAVELENGTH_COUNT values each
-    FloatTable upsampling;     // from RGB to smooth spectra, see upsample.h
-    FloatTable albedo;         // what rough surfaces reflect, see bsdf/albedo.h
-    FloatTable filter_places;  // see FilterRecord
-    Vec3Table observer;        // linear RGB of one unit at each nanometre
+    FloatTable distributions;         // cumulative shares, see EmitterRecord
+    FloatTable curves;                // WAVELENGTH_COUNT values each
+    FloatTable upsampling;            // from RGB to smooth spectra, see upsample.h
+    FloatTable albedo;                // what rough surfaces reflect, see bsdf/albedo.h
+    FloatTable filter_places;         // see FilterRecord
+    Vec3Table observer;               // linear RGB of one unit at each nanometre
+    FloatTable wavelength_places;     // nanometres at the edges of the slots, see spectrum.h
+    FloatTable wavelength_densities;  // with which each nanometre is drawn
     LightTable lights;
     BandTable bands;
     IntTable tree;       // the device's own search tree, opaque; null where every object is tested against every ray
@@ -310,7 +314,7 @@ namespace lancer::kernel {
 static_assert(sizeof(vec3) == 12 && sizeof(vec2) == 8, "records have scalar layout");
 static_assert(sizeof(SphereRecord) == 16 && sizeof(BoxRecord) == 24 && sizeof(PlaneRecord) == 76 && sizeof(AffineRecord) == 48 &&
               sizeof(PlacedRecord) == 156 && sizeof(TriangleRecord) == 36 && sizeof(InstanceRecord) == 104 && sizeof(ObjectRecord) == 28 &&
-              sizeof(TextureRecord) == 92 && sizeof(WhittedRecord) == 40 && sizeof(MediumRecord) == 44 && sizeof(LightRecord) == 48 &&
+              sizeof(TextureRecord) == 92 && sizeof(WhittedRecord) == 40 && sizeof(MediumRecord) == 48 && sizeof(LightRecord) == 48 &&
               sizeof(CameraRecord) == 104);
 }  // namespace lancer::kernel
 #endif

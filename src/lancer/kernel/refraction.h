@@ -3,7 +3,7 @@
 #define LANCER_KERNEL_REFRACTION_H
 
 #include "lancer/kernel/ray.h"
-#include "lancer/kernel/tables.h"
+#include "lancer/kernel/spectrum.h"
 
 NAMESPACE_BEGIN
 
@@ -83,6 +83,16 @@ FN Float medium_index(IN(MediumRecord) medium, Float nanometres) {
     return n;
 }
 
+// Straight lines between the entries of a curve.
+FN Float curve_between(FloatTable curves, int curve, Float nanometres, Mask mask) {
+    Float place = min(max(nanometres - Float(FIRST_WAVELENGTH), Float(0.0f)), Float(LAST_WAVELENGTH - FIRST_WAVELENGTH));
+    Float below = min(floor(place), Float(LAST_WAVELENGTH - FIRST_WAVELENGTH - 1.0f));
+    Int entry = Int(curve * WAVELENGTH_COUNT) + round_to_int(below);
+    Float a = gather_float(curves, entry, mask);
+    Float b = gather_float(curves, entry + Int(1), mask);
+    return a + (b - a) * (place - below);
+}
+
 // Of whatever material each lane is in; 1 outside of all.
 FN Float refractive_index(IN(WorldRecord) world, Int material, Float nanometres, Mask alive) {
     Float n = Float(1.0f);
@@ -90,7 +100,14 @@ FN Float refractive_index(IN(WorldRecord) world, Int material, Float nanometres,
     while (some(todo)) {
         int number = first_of(material, todo);
         Mask mine = both(todo, is_equal(material, Int(number)));
-        n = select(mine, medium_index(AT(world.media, number), nanometres), n);
+        MediumRecord medium = AT(world.media, number);
+        Float index = Float(1.0f);
+        if (medium.refraction == REFRACTION_CURVE) {
+            index = curve_between(world.curves, medium.curve, nanometres, mine);
+        } else {
+            index = medium_index(medium, nanometres);
+        }
+        n = select(mine, index, n);
         todo = without(todo, mine);
     }
     return n;

@@ -10,17 +10,19 @@
 
 NAMESPACE_BEGIN
 
+#ifdef __cplusplus
+using Spectrum = Vec4;
+#else
 #define Spectrum Vec4
+#endif
 
 const float FIRST_WAVELENGTH = 360.0f;  // nanometres
 const float LAST_WAVELENGTH = 830.0f;
 const int WAVELENGTH_COUNT = 471;  // tables hold one value for each nanometre
 
-// Wavelengths are drawn from a logistic distribution cut to the visible, which is easy to invert: near the curve of the eye's sensitivity
-// [Radziszewski et al. 2009]. Of four wavelengths of D65 these constants leave a variance of 0.02, 0.001 and 0.34 in linear red,
-// green and blue. A lower middle would spread it more evenly (0.09, 0.0002 and 0.15 at 515), but most scenes are warm, and blue weighs least.
-const float WAVELENGTH_MIDDLE = 538.0f;
-const float WAVELENGTH_SPREAD = 69.0f;
+// Wavelengths are drawn with a density that is the same within each nanometre: a whole number of WAVELENGTH_SLOTS equal shares of the random
+// number fall to it, at least one. world/wavelengths.h says which.
+const int WAVELENGTH_SLOTS = 8192;
 
 FN Spectrum black() { return vec4_all(Float(0.0f)); }
 
@@ -35,36 +37,38 @@ FN Spectrum rgb_value(Vec3 rgb) { return vec4_of(rgb.x, rgb.y, rgb.z, Float(0.0f
 
 FN Float natural_log(Float x) { return log_2(x) * Float(0.69314718f); }
 
-// The share of the logistic distribution below a wavelength.
-FN Float wavelength_share(Float nanometres) {
-    return Float(1.0f) / (Float(1.0f) + exponential((Float(WAVELENGTH_MIDDLE) - nanometres) * Float(1.0f / WAVELENGTH_SPREAD)));
-}
+// The entry of a table of WAVELENGTH_COUNT values whose nanometre holds the wavelength.
+FN Int wavelength_entry(Float nanometres) { return round_to_int(nanometres - Float(FIRST_WAVELENGTH)); }
 
-FN Float wavelength_at(Float u) {
-    Float low = wavelength_share(Float(FIRST_WAVELENGTH));
-    Float high = wavelength_share(Float(LAST_WAVELENGTH));
-    Float share = low + (high - low) * u;
-    Float x = Float(WAVELENGTH_MIDDLE) + Float(WAVELENGTH_SPREAD) * natural_log(share / (Float(1.0f) - share));
-    return min(max(x, Float(FIRST_WAVELENGTH)), Float(LAST_WAVELENGTH));
+FN Float wavelength_at(IN(WorldRecord) world, Float u, Mask mask) {
+    Float place = u * Float(float(WAVELENGTH_SLOTS));
+    Float below = floor(place);
+    Int slot = round_to_int(below);
+    Float a = gather_float(world.wavelength_places, slot, mask);
+    Float b = gather_float(world.wavelength_places, slot + Int(1), mask);
+    return min(max(a + (b - a) * (place - below), Float(FIRST_WAVELENGTH)), Float(LAST_WAVELENGTH));
 }
 
 // Density per nanometre.
-FN Float wavelength_density(Float nanometres) {
-    Float share = wavelength_share(nanometres);
-    Float all = wavelength_share(Float(LAST_WAVELENGTH)) - wavelength_share(Float(FIRST_WAVELENGTH));
-    return share * (Float(1.0f) - share) / (Float(WAVELENGTH_SPREAD) * all);
+FN Float wavelength_density(IN(WorldRecord) world, Float nanometres, Mask mask) {
+    return gather_float(world.wavelength_densities, wavelength_entry(nanometres), mask);
 }
 
 FN Float fraction(Float x) { return x - floor(x); }
 
 // Four wavelengths for one random number; the first is the one that stays when a path can carry only one.
-FN Vec4 wavelengths_at(Float u) {
-    return vec4_of(wavelength_at(u), wavelength_at(fraction(u + Float(0.25f))), wavelength_at(fraction(u + Float(0.5f))),
-                   wavelength_at(fraction(u + Float(0.75f))));
+FN Vec4 wavelengths_at(IN(WorldRecord) world, Float u, Mask mask) {
+    return vec4_of(wavelength_at(world, u, mask), wavelength_at(world, fraction(u + Float(0.25f)), mask),
+                   wavelength_at(world, fraction(u + Float(0.5f)), mask), wavelength_at(world, fraction(u + Float(0.75f)), mask));
 }
 
-// The entry of a table of WAVELENGTH_COUNT values whose nanometre holds the wavelength.
-FN Int wavelength_entry(Float nanometres) { return round_to_int(nanometres - Float(FIRST_WAVELENGTH)); }
+// Of each of the four; 1 in lanes that are off.
+FN Vec4 wavelength_densities(IN(WorldRecord) world, Vec4 nanometres, Mask mask) {
+    Vec4 density = vec4_of(wavelength_density(world, nanometres.x, mask), wavelength_density(world, nanometres.y, mask),
+                           wavelength_density(world, nanometres.z, mask), wavelength_density(world, nanometres.w, mask));
+    return vec4_of(select(mask, density.x, Float(1.0f)), select(mask, density.y, Float(1.0f)), select(mask, density.z, Float(1.0f)),
+                   select(mask, density.w, Float(1.0f)));
+}
 
 // A tabulated spectrum at the path's wavelengths.
 FN Spectrum curve_value(IN(WorldRecord) world, int curve, Vec4 nanometres, Mask mask) {
@@ -79,9 +83,9 @@ FN Spectrum curve_value(IN(WorldRecord) world, int curve, Vec4 nanometres, Mask 
 FN Vec3 spectrum_to_rgb(IN(WorldRecord) world, Spectrum radiance, Vec4 nanometres, Mask mask) {
     Vec3 rgb = vec3_of(radiance.x, radiance.y, radiance.z);
     if (world.spectral != 0) {
-        Spectrum share = vec4_of(radiance.x / wavelength_density(nanometres.x), radiance.y / wavelength_density(nanometres.y),
-                                 radiance.z / wavelength_density(nanometres.z), radiance.w / wavelength_density(nanometres.w)) *
-                         Float(0.25f);
+        Vec4 density = wavelength_densities(world, nanometres, mask);
+        Spectrum share =
+            vec4_of(radiance.x / density.x, radiance.y / density.y, radiance.z / density.z, radiance.w / density.w) * Float(0.25f);
         rgb = gather_vec3(world.observer, wavelength_entry(nanometres.x), mask) * share.x +
               gather_vec3(world.observer, wavelength_entry(nanometres.y), mask) * share.y +
               gather_vec3(world.observer, wavelength_entry(nanometres.z), mask) * share.z +

@@ -16,10 +16,9 @@
 #include <glm/vec3.hpp>
 
 #include "lancer/base/diagnostic.h"
+#include "lancer/scene/color.h"
 
 namespace lancer::scene {
-
-using Rgb = glm::dvec3;  // linear
 
 // ---- Textures -------------------------------------------------------------------------------------------------------------------
 
@@ -58,7 +57,7 @@ struct MeshColors {
     Rgb tint{1.0};  // times this
 };
 
-using Texture = std::variant<Rgb, Checker, ImageTexture, MeshColors>;
+using Texture = std::variant<Color, Checker, ImageTexture, MeshColors>;
 
 enum class Channel { red, green, blue, alpha };
 
@@ -95,13 +94,13 @@ struct NamedGlass {
 };
 
 // A plain number is the same index at every wavelength.
-using Refraction = std::variant<double, AbbeGlass, SellmeierGlass, NamedGlass>;
+using Refraction = std::variant<double, AbbeGlass, SellmeierGlass, NamedGlass, MeasuredSpectrum>;
 
 // ---- Materials ------------------------------------------------------------------------------------------------------------------
 
 // The report's material, with transparency added [Whitted 1980]. All weights are shares in [0, 1].
 struct WhittedMaterial {
-    Texture color = Rgb{0.8};
+    Texture color = Color(Rgb(0.8));
     double ambient = 0.1;
     double diffuse = 0.9;
     double highlight = 0.3;
@@ -109,38 +108,40 @@ struct WhittedMaterial {
     double reflectivity = 0.0;
     double transparency = 0.0;
     Refraction refraction = 1.5;
-    Rgb absorption{0.0};  // inside a transparent body, per metre
+    Color absorption = Color();  // inside a transparent body, per metre
 };
 
 // The rest follow physics: they are for the path integrator. Roughness runs from 0, smooth, to 1; its square is the width of the facets' slopes.
 
 // Scatters to all sides alike [Lambert 1760], or as small facets of that kind do.
 struct DiffuseMaterial {
-    Texture color = Rgb{0.8};
+    Texture color = Color(Rgb(0.8));
     Value roughness = 0.0;
 };
 
-// A metal, by name or by its colour when seen straight on.
+// A metal, by name, by its complex index n + i k, or by its colour when seen straight on.
 struct ConductorMaterial {
-    std::string metal;  // a name that spectrum/metal.h knows; empty: `color`
-    Texture color = Rgb{1.0};
+    std::string metal;  // a name that spectrum/metal.h knows; empty: n and k, or `color`
+    Texture color = Color(Rgb(1.0));
     Value roughness = 0.0;
-    Value anisotropy = 0.0;  // how much smoother along u than along v, 0 to 1
+    Value anisotropy = 0.0;                            // how much smoother along u than along v, 0 to 1
+    std::optional<MeasuredSpectrum> n = std::nullopt;  // both or none
+    std::optional<MeasuredSpectrum> k = std::nullopt;
 };
 
 // A clear body, such as glass or water; or a pane of it, so thin that nothing is seen to be shifted.
 struct DielectricMaterial {
     Refraction refraction = 1.5;
-    Texture color = Rgb{1.0};  // a tint for whatever it reflects or lets through; white in nature
+    Texture color = Color(Rgb(1.0));  // a tint for whatever it reflects or lets through; white in nature
     Value roughness = 0.0;
     Value anisotropy = 0.0;
-    Rgb absorption{0.0};  // inside, per metre
+    Color absorption = Color();  // inside, per metre
     bool thin = false;
 };
 
 // A coloured body under a clear coat.
 struct PlasticMaterial {
-    Texture color = Rgb{0.8};
+    Texture color = Color(Rgb(0.8));
     double refraction = 1.5;  // of the coat
     Value roughness = 0.0;
     bool saturates = true;  // light that the coat sends back takes the body's colour again
@@ -148,18 +149,18 @@ struct PlasticMaterial {
 
 // Layers: sheen over a clear coat over a base of metal, coloured body or clear body. After glTF's metallic-roughness and its extensions.
 struct PrincipledMaterial {
-    Texture color = Rgb{0.8};
+    Texture color = Color(Rgb(0.8));
     Value metalness = 0.0;
     Value roughness = 0.3;
     Value anisotropy = 0.0;
     double refraction = 1.5;
-    Texture specular = Rgb{1.0};  // tint of what the base reflects
+    Texture specular = Color(Rgb(1.0));  // tint of what the base reflects
     Value transmission = 0.0;
     bool thin = false;
-    Rgb absorption{0.0};
+    Color absorption = Color();
     Value coat = 0.0;
     Value coat_roughness = 0.0;
-    Texture sheen = Rgb{0.0};
+    Texture sheen = Color();
     Value sheen_roughness = 0.3;
     Value film = 0.0;  // thickness in nanometres of a thin film; 0: none
     double film_refraction = 1.3;
@@ -167,9 +168,9 @@ struct PrincipledMaterial {
 
 // Light that a surface gives by itself.
 struct Emission {
-    Texture radiance = Rgb{0.0};  // W/(m^2 sr), weighed by the eye: 1 is as bright as a white surface under an irradiance of pi
-    double strength = 1.0;        // times this
-    bool both_sides = false;      // else outwards only
+    Texture radiance = Color();  // W/(m^2 sr), weighed by the eye: 1 is as bright as a white surface under an irradiance of pi
+    double strength = 1.0;       // times this
+    bool both_sides = false;     // else outwards only
 };
 
 // Two materials, one here and the other there: indices into Scene::materials. They may be mixes themselves; no mix may contain itself.
@@ -307,19 +308,19 @@ struct DirectionalLight {
 struct Light {
     std::string name;
     std::variant<PointLight, SpotLight, DirectionalLight> model;
-    Rgb color{1.0};
+    Color color = Rgb(1.0);
     double intensity = 1.0;  // in Whitted scenes its share of the light; the shares sum to 1
     SourcePosition position;
 
     // For light that follows physics: W/sr of point and spot lights, W/m^2 at right angles of directional ones, weighed by the eye.
-    std::optional<Rgb> power = std::nullopt;
+    std::optional<Color> power = std::nullopt;
 };
 
 // What rays see that leave the scene: a vertical gradient, all equal for a plain colour; or a latitude-longitude image around it.
 struct Background {
-    Rgb zenith{0.0};
-    Rgb horizon{0.0};
-    Rgb nadir{0.0};
+    Color zenith;
+    Color horizon;
+    Color nadir;
     std::optional<ImageTexture> image = std::nullopt;  // its middle lies along -z, its right half towards +x, its top along +y
     double rotation = 0.0;                             // of the image about +y: degrees, counter-clockwise as seen from above
     double strength = 1.0;                             // times this
@@ -389,7 +390,7 @@ struct Scene {
     std::vector<Placement> placements;
     std::vector<Light> lights;
     Background background;
-    Rgb ambient{1.0};  // light that reaches every point, times each material's `ambient`
+    Color ambient = Rgb(1.0);  // light that reaches every point, times each material's `ambient`
     RenderSettings settings;
 };
 

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "lancer/kernel/spectrum.h"
 #include "lancer/spectrum/illuminant.h"
 #include "lancer/spectrum/upsample.h"
+#include "lancer/world/spectra.h"
 #include "lancer/world/surfaces.h"
 
 namespace lancer {
@@ -17,6 +19,21 @@ kernel::ColorRecord no_color() {
     record.illuminant = -1;
     record.texture = -1;
     return record;
+}
+
+// Means around each nanometre: a measured light may end or jump anywhere.
+SpectralCurve means(const SpectralCurve& curve) {
+    constexpr int parts = 32;
+    std::vector<double> nanometres, values;
+    for (int i = 0; i < kernel::WAVELENGTH_COUNT; ++i) {
+        nanometres.push_back(static_cast<double>(kernel::FIRST_WAVELENGTH) + i);
+        double sum = 0.0;
+        for (int j = 0; j < parts; ++j) {
+            sum += curve.at(nanometres.back() - 0.5 + (j + 0.5) / parts);
+        }
+        values.push_back(sum / parts);
+    }
+    return SpectralCurve(nanometres, values, SpectralCurve::Beyond::zero);
 }
 
 }  // namespace
@@ -37,10 +54,13 @@ kernel::ColorRecord Colors::constant(double value) {
     return record;
 }
 
-kernel::ColorRecord Colors::reflectance(const scene::Rgb& rgb) {
+kernel::ColorRecord Colors::reflectance(const scene::Color& color) {
+    if (color.spectrum) {
+        return curve(reflectance_curve(*color.spectrum), glm::min(reflected(color), scene::Rgb(1.0)));
+    }
     kernel::ColorRecord record = no_color();
-    record.rgb = kernel::vec3(rgb);
-    record.coefficients = kernel::vec3(smooth_reflectance(rgb).coefficients);
+    record.rgb = kernel::vec3(color.rgb);
+    record.coefficients = kernel::vec3(smooth_reflectance(color.rgb).coefficients);
     return record;
 }
 
@@ -50,7 +70,11 @@ kernel::ColorRecord Colors::reflectance(const CompiledTexture& texture) {
     return record;
 }
 
-kernel::ColorRecord Colors::light(const scene::Rgb& rgb) {
+kernel::ColorRecord Colors::light(const scene::Color& color, double strength) {
+    if (color.spectrum) {
+        return curve(means(light_curve(*color.spectrum).scaled(strength)), emitted(color) * strength);
+    }
+    const scene::Rgb rgb = color.rgb * strength;
     if (daylight_ < 0 && world_.spectral) {
         daylight_ = add_curve(unit_d65());
     }
@@ -65,9 +89,9 @@ kernel::ColorRecord Colors::light(const scene::Rgb& rgb) {
 
 kernel::ColorRecord Colors::light(const CompiledTexture& texture, double strength) {
     if (texture.number < 0) {
-        return light(texture.color * strength);
+        return light(texture.color, strength);
     }
-    kernel::ColorRecord record = light(scene::Rgb(1.0));
+    kernel::ColorRecord record = light(scene::Color(scene::Rgb(1.0)));
     record.texture = texture.number;
     record.scale = static_cast<float>(strength);
     return record;

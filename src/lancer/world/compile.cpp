@@ -19,6 +19,8 @@
 #include "lancer/world/names.h"
 #include "lancer/world/shapes.h"
 #include "lancer/world/sky.h"
+#include "lancer/world/spectra.h"
+#include "lancer/world/wavelengths.h"
 
 namespace lancer {
 
@@ -109,7 +111,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     world->bounces = bounces;
     world->min_weight = static_cast<float>(scene.settings.min_weight);
     world->camera = compile_camera(camera, scene.settings.width, scene.settings.height, diagnostics);
-    world->ambient = to_float(scene.ambient);
+    world->ambient = to_float(emitted(scene.ambient));
     for (const scene::Light& light : scene.lights) {
         world->lights.push_back(light_record(light));
     }
@@ -118,7 +120,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     }
     Textures textures(*world, diagnostics);
     Colors colors(*world);
-    compile_materials(scene, *world, textures, diagnostics);
+    compile_materials(scene, *world, textures, colors, diagnostics);
     if (physical) {
         compile_physics(scene, *world);
         compile_surfaces(scene, *world, textures, colors, diagnostics);
@@ -130,6 +132,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     compile_shapes(flat, *world, diagnostics);
     if (physical && !diagnostics.has_errors()) {
         compile_emitters(scene, *world, colors, diagnostics);
+        compile_wavelengths(*world);
     }
     if (diagnostics.has_errors()) {
         return nullptr;

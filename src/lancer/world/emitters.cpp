@@ -52,7 +52,7 @@ public:
         }
         kernel::EmitterRecord record = no_emitter();
         record.light = colors_.light(*light.power);
-        record.strength = static_cast<float>(brightness(kernel::vec3(*light.power)));
+        record.strength = static_cast<float>(brightness(record.light.rgb));
         if (const auto* point = std::get_if<scene::PointLight>(&light.model)) {
             record.kind = kernel::EMITTER_POINT;
             record.position = kernel::vec3(point->position);

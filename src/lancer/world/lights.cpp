@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "lancer/world/spectra.h"
+
 namespace lancer {
 
 SpotCone spot_cone(const scene::SpotLight& spot) {
@@ -18,7 +20,7 @@ SpotCone spot_cone(const scene::SpotLight& spot) {
 
 kernel::LightRecord light_record(const scene::Light& light) {
     kernel::LightRecord record{};
-    record.radiance = kernel::vec3(light.color * light.intensity);
+    record.radiance = kernel::vec3(emitted(light.color) * light.intensity);
     record.direction = kernel::vec3(0.0f, -1.0f, 0.0f);
     if (const auto* point = std::get_if<scene::PointLight>(&light.model)) {
         record.kind = kernel::LIGHT_POINT;

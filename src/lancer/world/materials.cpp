@@ -6,6 +6,7 @@
 
 #include "lancer/spectrum/glass.h"
 #include "lancer/spectrum/observer.h"
+#include "lancer/world/spectra.h"
 
 namespace lancer {
 
@@ -15,8 +16,8 @@ kernel::vec3 to_float(const glm::dvec3& v) { return kernel::vec3(v); }
 
 class Materials {
 public:
-    Materials(const scene::Scene& scene, World& world, Textures& textures, Diagnostics& diagnostics)
-        : scene_(scene), world_(world), textures_(textures), diagnostics_(diagnostics) {}
+    Materials(const scene::Scene& scene, World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics)
+        : scene_(scene), world_(world), textures_(textures), colors_(colors), diagnostics_(diagnostics) {}
 
     void compile() {
         bool disperses = false;
@@ -41,7 +42,7 @@ private:
         kernel::WhittedRecord record{};
         const CompiledTexture color = textures_.add(material.color);
         record.texture = color.number;
-        record.color = to_float(color.color);
+        record.color = to_float(reflected(color.color));
         record.ambient = static_cast<float>(material.ambient);
         record.diffuse = static_cast<float>(material.diffuse);
         record.highlight = static_cast<float>(material.highlight);
@@ -49,7 +50,7 @@ private:
         record.reflectivity = static_cast<float>(material.reflectivity);
         record.transparency = static_cast<float>(material.transparency);
         kernel::MediumRecord medium{};
-        medium.absorption = to_float(material.absorption);
+        medium.absorption = to_float(reflected(material.absorption));
         std::visit([&](const auto& refraction) { set_refraction(refraction, medium, position); }, material.refraction);
         world_.has_transparency = world_.has_transparency || material.transparency > 0.0;
         world_.materials.push_back(record);
@@ -129,16 +130,23 @@ private:
         }
     }
 
+    void set_refraction(const scene::MeasuredSpectrum& measured, kernel::MediumRecord& medium, const SourcePosition&) {
+        medium.refraction = kernel::REFRACTION_CURVE;
+        medium.curve = colors_.add_curve(SpectralCurve(measured.nanometres, measured.values, SpectralCurve::Beyond::constant));
+        medium.dispersive = measured.values.size() > 1 ? 1 : 0;
+    }
+
     const scene::Scene& scene_;
     World& world_;
     Textures& textures_;
+    Colors& colors_;
     Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
-void compile_materials(const scene::Scene& scene, World& world, Textures& textures, Diagnostics& diagnostics) {
-    Materials(scene, world, textures, diagnostics).compile();
+void compile_materials(const scene::Scene& scene, World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics) {
+    Materials(scene, world, textures, colors, diagnostics).compile();
 }
 
 }  // namespace lancer

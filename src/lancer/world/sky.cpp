@@ -11,6 +11,7 @@
 #include "lancer/base/failure.h"
 #include "lancer/image/image.h"
 #include "lancer/kernel/color.h"
+#include "lancer/world/spectra.h"
 
 namespace lancer {
 
@@ -91,16 +92,17 @@ void compile_sky(const scene::Background& background, World& world, Colors& colo
         sky.horizon = colors.light(scene::Rgb(1.0));
         return;
     }
-    const scene::Rgb most = glm::max(glm::max(background.zenith, background.horizon), background.nadir) * background.strength;
+    const scene::Rgb zenith = emitted(background.zenith), horizon = emitted(background.horizon), nadir = emitted(background.nadir);
+    const scene::Rgb most = glm::max(glm::max(zenith, horizon), nadir) * background.strength;
     if (!(std::max({most.x, most.y, most.z}) > 0.0)) {
         sky.kind = kernel::SKY_NONE;
         return;
     }
     const bool even = background.zenith == background.horizon && background.nadir == background.horizon;
     sky.kind = even ? kernel::SKY_EVEN : kernel::SKY_GRADIENT;
-    sky.zenith = colors.light(background.zenith * background.strength);
-    sky.horizon = colors.light(background.horizon * background.strength);
-    sky.nadir = colors.light(background.nadir * background.strength);
+    sky.zenith = colors.light(background.zenith, background.strength);
+    sky.horizon = colors.light(background.horizon, background.strength);
+    sky.nadir = colors.light(background.nadir, background.strength);
 }
 
 double compile_sky_shares(World& world, bool compensated) {

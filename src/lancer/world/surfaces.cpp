@@ -8,6 +8,7 @@
 
 #include "lancer/spectrum/metal.h"
 #include "lancer/spectrum/sensor.h"
+#include "lancer/world/spectra.h"
 
 namespace lancer {
 
@@ -115,6 +116,11 @@ private:
             record.color = colors_.constant(1.0);
             record.index = colors_.curve(metal->n, seen(metal->n));
             record.extinction = colors_.curve(metal->k, seen(metal->k));
+        } else if (material.n && material.k) {
+            const SpectralCurve n = index_curve(*material.n), k = index_curve(*material.k);
+            record.color = colors_.constant(1.0);
+            record.index = colors_.curve(n, seen(n));
+            record.extinction = colors_.curve(k, seen(k));
         } else {
             // A perfect mirror times the colour.
             record.color = colors_.reflectance(textures_.add(material.color));
@@ -210,12 +216,20 @@ private:
         return static_cast<int>(world_.inputs.size());
     }
 
-    void set_absorption(const scene::Rgb& absorption, kernel::MaterialRecord& record) {
-        const double most = std::max({absorption.x, absorption.y, absorption.z});
+    void set_absorption(const scene::Color& absorption, kernel::MaterialRecord& record) {
+        const scene::Rgb& rgb = absorption.rgb;
+        const SpectralCurve curve = absorption.spectrum ? reflectance_curve(*absorption.spectrum) : SpectralCurve(0.0);
+        const std::vector<double> visible = curve.on(fine_grid);
+        const double most = absorption.spectrum ? *std::max_element(visible.begin(), visible.end()) : std::max({rgb.x, rgb.y, rgb.z});
         if (most > 0.0) {
             // The depth at which the strongest colour has faded to 1/e: neither 0 nor 1, which no spectrum could tell from their neighbours.
             record.clear_distance = static_cast<float>(1.0 / most);
-            record.clearness = colors_.reflectance(glm::exp(-absorption / most));
+            if (absorption.spectrum) {
+                const SpectralCurve left = clearness(curve, 1.0 / most);
+                record.clearness = colors_.curve(left, seen(left));
+            } else {
+                record.clearness = colors_.reflectance(scene::Rgb(glm::exp(-rgb / most)));
+            }
         }
     }
 

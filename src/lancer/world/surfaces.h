@@ -15,16 +15,17 @@ public:
     explicit Colors(World& world) : world_(world) {}
 
     kernel::ColorRecord constant(double value);
-    kernel::ColorRecord reflectance(const scene::Rgb& rgb);
+    kernel::ColorRecord reflectance(const scene::Color& color);
     kernel::ColorRecord reflectance(const CompiledTexture& texture);
-    kernel::ColorRecord light(const scene::Rgb& rgb);
+    kernel::ColorRecord light(const scene::Color& color, double strength = 1.0);
     kernel::ColorRecord light(const CompiledTexture& texture, double strength);
     // `rgb` stands for the curve where paths carry RGB.
     kernel::ColorRecord curve(const SpectralCurve& curve, const scene::Rgb& rgb);
 
-private:
+    // At each nanometre of the visible; its number.
     int add_curve(const SpectralCurve& curve);
 
+private:
     World& world_;
     int daylight_ = -1;  // D65, once it is needed
 };

@@ -41,7 +41,7 @@ CompiledTexture Textures::add(const scene::Texture& texture) {
     return std::visit([&](const auto& kind) { return compile(kind); }, texture);
 }
 
-CompiledTexture Textures::compile(const scene::Rgb& color) { return {-1, color}; }
+CompiledTexture Textures::compile(const scene::Color& color) { return {-1, color}; }
 
 CompiledTexture Textures::compile(const scene::Checker& checker) {
     kernel::TextureRecord texture = plain_texture(checker.solid ? kernel::TEXTURE_CHECKER_SOLID : kernel::TEXTURE_CHECKER_UV);

@@ -12,8 +12,8 @@
 namespace lancer {
 
 struct CompiledTexture {
-    int number = -1;        // into world.textures; -1: `color` everywhere
-    scene::Rgb color{1.0};  // 1 where there is a texture
+    int number = -1;                       // into world.textures; -1: `color` everywhere
+    scene::Color color = scene::Rgb(1.0);  // 1 where there is a texture
 };
 
 // Fills world.textures and the tables of texels. Each image file is read once, however many materials use it.
@@ -33,7 +33,7 @@ private:
     };
 
     Texels load(const scene::ImageTexture& image);
-    CompiledTexture compile(const scene::Rgb& color);
+    CompiledTexture compile(const scene::Color& color);
     CompiledTexture compile(const scene::Checker& checker);
     CompiledTexture compile(const scene::ImageTexture& image);
     CompiledTexture compile(const scene::MeshColors& colors);

@@ -19,6 +19,7 @@
 #include "lancer/import/import.h"
 #include "lancer/scene/bounds.h"
 #include "lancer/world/compile.h"
+#include "lancer/world/spectra.h"
 
 namespace lancer::app {
 
@@ -88,7 +89,11 @@ std::string in_words(const scene::Bounds& bounds) {
 
 // How bright a light is: in physical scenes its power, else its share of the light.
 double strength(const scene::Light& light) {
-    return light.power ? (light.power->x + light.power->y + light.power->z) / 3.0 : light.intensity;
+    if (!light.power) {
+        return light.intensity;
+    }
+    const scene::Rgb power = emitted(*light.power);
+    return (power.x + power.y + power.z) / 3.0;
 }
 
 void print_text(const scene::Scene& scene, const Count& count, const World& world) {

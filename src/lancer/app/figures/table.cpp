@@ -101,6 +101,7 @@ std::vector<FigureGroup> make_table() {
         {"Light that follows physics: materials",
          "Paths of light at the wavelengths of nature; as many samples as a minute allows.",
          {physical("metals", "Metals by their measured indices."), physical("clear-bodies", "Glass, rough glass, water, panes."),
+          physical("metamers", "Two greys that are one under daylight, and two under other lamps."),
           physical("plastics", "A coloured body under a clear coat."),
           physical("principled", "One layered material: lacquer, brushed metal, velvet, tinted glass, a film of oxide.")}},
         {"Light that follows physics: lamps and lenses",

@@ -12,6 +12,7 @@
 #include "lancer/app/inspect/mesh_facts.h"
 #include "lancer/scene/bounds.h"
 #include "lancer/world/flatten.h"
+#include "lancer/world/spectra.h"
 
 namespace lancer::app {
 
@@ -99,7 +100,8 @@ private:
 
     template <class Color>
     void look_at_color(const Color& color, const scene::Material& material) {
-        if (const auto* rgb = std::get_if<scene::Rgb>(&color); rgb != nullptr && std::max({rgb->x, rgb->y, rgb->z}) > 1.0) {
+        const auto* plain = std::get_if<scene::Color>(&color);
+        if (plain != nullptr && !plain->spectrum && std::max({plain->rgb.x, plain->rgb.y, plain->rgb.z}) > 1.0) {
             diagnostics_.warning(material.position,
                                  fmt::format("material {} reflects more light than it gets: its colour is above 1", said(material.name)));
         }
@@ -141,7 +143,7 @@ private:
     }
 
     void look_at_light(const scene::Light& light) {
-        const scene::Rgb power = light.power ? *light.power : light.color * light.intensity;
+        const scene::Rgb power = light.power ? emitted(*light.power) : emitted(light.color) * light.intensity;
         if (!(std::max({power.x, power.y, power.z}) > 0.0)) {
             diagnostics_.warning(light.position, fmt::format("light {} gives no light", said(light.name)));
         }

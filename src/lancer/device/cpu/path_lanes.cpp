@@ -86,8 +86,8 @@ FN void put_colors(const Vec3& colors, const UInt& slots, Mask mask, glm::vec3* 
     }
 }
 
-FN void put_spectra(const PathState& path, const UInt& slots, Mask mask, SpectralSample* places) {
-    const Spectrum power = power_in_pixel(path);
+FN void put_spectra(const WorldRecord& world, const PathState& path, const UInt& slots, Mask mask, SpectralSample* places) {
+    const Spectrum power = power_in_pixel(world, path, mask);
     const Float numbers[8] = {power.x,           power.y,           power.z,           power.w,
                               path.nanometres.x, path.nanometres.y, path.nanometres.z, path.nanometres.w};
     alignas(64) float lanes[8][LANES];
@@ -116,7 +116,7 @@ FN void put_radiance(const kernel::WorldRecord& world, const PathState& path, co
     const Vec3 none = vec3_all(Float(std::numeric_limits<float>::quiet_NaN()));
     put_colors(select(is_sound(path.radiance), rgb, none), slots, ended, samples.radiance.data());
     if (!samples.spectra.empty()) {
-        put_spectra(path, slots, ended, samples.spectra.data());
+        put_spectra(world, path, slots, ended, samples.spectra.data());
     }
 }
 

@@ -107,9 +107,9 @@ void Lights::add_infinite(const Recipe& light, const glm::dmat4&) {
         color.scale *= *illuminance / pi;
     }
     const scene::Rgb radiance = color.color * color.scale;
-    scene_.background.zenith += radiance;
-    scene_.background.horizon += radiance;
-    scene_.background.nadir += radiance;
+    scene_.background.zenith.rgb += radiance;
+    scene_.background.horizon.rgb += radiance;
+    scene_.background.nadir.rgb += radiance;
     if (parameters.has("portal")) {
         context_.report.dropped("\"portal\"", "it only helps to find the light", parameters.position(), false);
     }
@@ -118,14 +118,14 @@ void Lights::add_infinite(const Recipe& light, const glm::dmat4&) {
 
 void Lights::finish(double brightness) {
     for (scene::Light& light : scene_.lights) {
-        light.power = *light.power * brightness;
+        light.power->rgb *= brightness;
     }
-    scene_.background.zenith *= brightness;
-    scene_.background.horizon *= brightness;
-    scene_.background.nadir *= brightness;
+    scene_.background.zenith.rgb *= brightness;
+    scene_.background.horizon.rgb *= brightness;
+    scene_.background.nadir.rgb *= brightness;
     const bool shines =
         std::any_of(scene_.materials.begin(), scene_.materials.end(), [](const scene::Material& m) { return m.emission.has_value(); });
-    if (!shines && scene_.lights.empty() && scene_.background.zenith == scene::Rgb(0.0)) {
+    if (!shines && scene_.lights.empty() && scene_.background.zenith.rgb == scene::Rgb(0.0)) {
         scene_.background = {scene::Rgb(1.0), scene::Rgb(1.0), scene::Rgb(1.0)};
         context_.diagnostics.warning({scene_.file, 0, 0}, "this scene has no light: white light comes from everywhere instead");
     }

@@ -12,8 +12,8 @@ namespace lancer::pbrt {
 namespace {
 
 scene::Rgb mean_color(const scene::Texture& texture) {
-    if (const auto* rgb = std::get_if<scene::Rgb>(&texture)) {
-        return *rgb;
+    if (const auto* color = std::get_if<scene::Color>(&texture)) {
+        return color->rgb;
     }
     if (const auto* checker = std::get_if<scene::Checker>(&texture)) {
         return 0.5 * (checker->first + checker->second);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lancer/base/file.h"
+#include "lancer/import/toml/spectra.h"
 
 namespace lancer::notation {
 
@@ -34,8 +35,8 @@ constexpr std::string_view expected_color = "a color: \"#rrggbb\", a name such a
 
 scene::Checker read_checker(TableReader& reader) {
     scene::Checker texture;
-    texture.first = read_color(reader, "first");
-    texture.second = read_color(reader, "second");
+    texture.first = read_rgb(reader, "first");
+    texture.second = read_rgb(reader, "second");
     texture.size = reader.number("size");
     texture.solid = reader.flag("solid");
     return texture;
@@ -100,7 +101,7 @@ std::optional<scene::Rgb> parse_color(std::string_view text) {
     return decode_srgb_triple(rgb);
 }
 
-std::optional<scene::Rgb> read_color(Messages& messages, const toml::node& node, const Key& key) {
+std::optional<scene::Rgb> read_rgb(Messages& messages, const toml::node& node, const Key& key) {
     if (const auto* string = node.as_string()) {
         if (const auto color = parse_color(string->get())) {
             return color;
@@ -120,36 +121,56 @@ std::optional<scene::Rgb> read_color(Messages& messages, const toml::node& node,
     return std::nullopt;
 }
 
-std::optional<scene::Rgb> read_color_if_written(TableReader& reader, std::string_view key) {
+scene::Rgb read_rgb(TableReader& reader, std::string_view name) {
+    const Key& key = reader.described(name, Kind::rgb);
+    const glm::dvec3* preset = std::get_if<glm::dvec3>(&key.preset);
+    const toml::node* node = reader.value(name, Kind::rgb);
+    const auto color = node ? read_rgb(reader.messages(), *node, key) : std::nullopt;
+    if (node && !color) {
+        reader.spoil();
+    }
+    return color.value_or(preset ? *preset : scene::Rgb(0.0));
+}
+
+std::optional<scene::Color> read_color(Context& context, const toml::node& node, const Key& key) {
+    if (const toml::table* table = node.as_table(); table && is_spectrum(*table)) {
+        const auto spectrum = read_spectrum(context, *table, key);
+        return spectrum ? std::optional(scene::Color(*spectrum)) : std::nullopt;
+    }
+    const auto rgb = read_rgb(context.messages, node, key);
+    return rgb ? std::optional(scene::Color(*rgb)) : std::nullopt;
+}
+
+std::optional<scene::Color> read_color_if_written(Context& context, TableReader& reader, std::string_view key) {
     const toml::node* node = reader.value(key, Kind::color);
     if (!node) {
         return std::nullopt;
     }
-    const auto color = read_color(reader.messages(), *node, reader.described(key, Kind::color));
+    const auto color = read_color(context, *node, reader.described(key, Kind::color));
     if (!color) {
         reader.spoil();
     }
     return color;
 }
 
-scene::Rgb read_color(TableReader& reader, std::string_view key) {
+scene::Color read_color(Context& context, TableReader& reader, std::string_view key) {
     const glm::dvec3* preset = std::get_if<glm::dvec3>(&reader.described(key, Kind::color).preset);
-    return read_color_if_written(reader, key).value_or(preset ? *preset : scene::Rgb(0.0));
+    return read_color_if_written(context, reader, key).value_or(preset ? *preset : scene::Rgb(0.0));
 }
 
 scene::Texture read_texture(Context& context, TableReader& reader, std::string_view name, bool data) {
     const Key& key = reader.described(name, Kind::texture);
     const toml::node* node = reader.value(name, Kind::texture);
     if (!node) {
-        return std::get<glm::dvec3>(key.preset);
+        return scene::Color(std::get<glm::dvec3>(key.preset));
     }
     const toml::table* table = node->as_table();
-    if (!table) {
-        const auto color = read_color(context.messages, *node, key);
+    if (!table || is_spectrum(*table)) {
+        const auto color = read_color(context, *node, key);
         if (!color) {
             reader.spoil();
         }
-        return color.value_or(scene::Rgb(0.0));
+        return color.value_or(scene::Color());
     }
     const auto type = table->get_as<std::string>("type");
     if (type && type->get() == "checker") {
@@ -171,7 +192,7 @@ scene::Texture read_texture(Context& context, TableReader& reader, std::string_v
     reader.error(context.messages.at(written ? *written : *node),
                  fmt::format("a texture needs \"type\": \"checker\", \"image\", \"vertex_color\" or \"face_color\"{}",
                              type ? fmt::format(", not \"{}\"", type->get()) : ""));
-    return scene::Rgb(0.0);
+    return scene::Color();
 }
 
 }  // namespace lancer::notation

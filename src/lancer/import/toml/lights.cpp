@@ -43,7 +43,8 @@ struct ReadLight {
     bool has_intensity = false;
 };
 
-std::optional<ReadLight> read_light(Messages& messages, const toml::table& table) {
+std::optional<ReadLight> read_light(Context& context, const toml::table& table) {
+    Messages& messages = context.messages;
     std::vector<std::string> types;
     for (const Table* kind : lights()) {
         types.emplace_back(kind->name);
@@ -78,8 +79,8 @@ std::optional<ReadLight> read_light(Messages& messages, const toml::table& table
             light.model = scene::DirectionalLight{reader.direction("direction")};
             break;
     }
-    light.color = read_color(reader, "color");
-    light.power = read_color_if_written(reader, "power");
+    light.color = read_color(context, reader, "color");
+    light.power = read_color_if_written(context, reader, "power");
     if (reader.has("power")) {
         for (const char* key : {"intensity", "color"}) {
             if (reader.has(key)) {
@@ -132,7 +133,7 @@ void share_out(Messages& messages, std::vector<ReadLight>& all) {
 void read_lights(Context& context, const toml::table& root) {
     std::vector<ReadLight> all;
     for (const toml::table* table : tables_of(context.messages, root, "light")) {
-        if (auto light = read_light(context.messages, *table)) {
+        if (auto light = read_light(context, *table)) {
             all.push_back(std::move(*light));
         }
     }

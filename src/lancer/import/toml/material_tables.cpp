@@ -58,7 +58,7 @@ const Table& whitted_material() {
          {"reflectivity", Kind::number, 0.0, share, "", "How much it mirrors."},
          {"transparency", Kind::number, 0.0, share, "", "How much passes into it; with reflectivity at most 1."},
          {"refraction", Kind::refraction, 1.5, Range{0.1, 10.0}, "",
-          "The refractive index, the name of a glass, an index with its Abbe number, or Sellmeier coefficients."},
+          "The refractive index, the name of a glass, an index with its Abbe number, Sellmeier coefficients, or a curve."},
          {"absorption", Kind::color, origin, not_negative, "1/m", "How fast each colour fades inside: exp(-absorption * depth)."}}};
     return table;
 }
@@ -74,6 +74,8 @@ const Table& conductor_material() {
     static const Table table = physical(
         "conductor", "A metal, polished or rough.",
         {{"metal", Kind::text, none, any, "", "Its name, such as \"gold\" or \"Cu\": measured indices are used; instead of color."},
+         {"n", Kind::curve, none, Range{0.0, 1000.0}, "", "The real part of its refractive index, with k; instead of metal and color."},
+         {"k", Kind::curve, none, Range{0.0, 1000.0}, "", "The imaginary part."},
          {"color", Kind::texture, glm::dvec3(1.0), share, "", "The share of light that it mirrors when looked at straight on."},
          roughness,
          anisotropy});
@@ -84,7 +86,7 @@ const Table& dielectric_material() {
     static const Table table = physical(
         "dielectric", "A clear body, such as glass, water or a diamond.",
         {{"refraction", Kind::refraction, 1.5, Range{0.1, 10.0}, "",
-          "The refractive index, the name of a glass, an index with its Abbe number, or Sellmeier coefficients."},
+          "The refractive index, the name of a glass, an index with its Abbe number, Sellmeier coefficients, or a curve."},
          roughness,
          anisotropy,
          {"color", Kind::texture, glm::dvec3(1.0), share, "", "A tint of all light that it mirrors or lets through; white in nature."},

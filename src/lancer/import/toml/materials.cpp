@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lancer/import/toml/colors.h"
+#include "lancer/import/toml/spectra.h"
 #include "lancer/spectrum/glass.h"
 #include "lancer/spectrum/metal.h"
 
@@ -44,7 +45,7 @@ scene::Refraction read_refraction_table(Messages& messages, const toml::table& t
     return glass;
 }
 
-scene::Refraction read_refraction(TableReader& reader, std::string_view name) {
+scene::Refraction read_refraction(Context& context, TableReader& reader, std::string_view name) {
     const Key& key = reader.described(name, Kind::refraction);
     const double preset = std::get<double>(key.preset);
     const toml::node* node = reader.value(name, Kind::refraction);
@@ -59,14 +60,23 @@ scene::Refraction read_refraction(TableReader& reader, std::string_view name) {
         }
         return scene::NamedGlass{string->get()};
     }
+    if (const toml::table* table = node->as_table(); table && (is_spectrum(*table))) {
+        auto curve = read_curve(context, *node, key);
+        if (!curve) {
+            reader.spoil();
+            return preset;
+        }
+        return std::move(*curve);
+    }
     if (const toml::table* table = node->as_table()) {
         return read_refraction_table(reader.messages(), *table);
     }
     double index = preset;
     if (!node->is_number()) {
-        reader.error(name,
-                     fmt::format("\"{}\" must be a refractive index, the name of a glass, {{ index, abbe_number }} or {{ b, c }}, not {}",
-                                 name, what_it_is(*node)));
+        reader.error(
+            name,
+            fmt::format("\"{}\" must be a refractive index, the name of a glass, {{ index, abbe_number }}, {{ b, c }} or a curve, not {}",
+                        name, what_it_is(*node)));
     } else if (!read_number(reader.messages(), *node, key, index)) {
         reader.spoil();
         index = preset;
@@ -87,8 +97,8 @@ scene::WhittedMaterial read_whitted(Context& context, TableReader& reader) {
     model.shininess = reader.number("shininess");
     model.reflectivity = reader.number("reflectivity");
     model.transparency = reader.number("transparency");
-    model.refraction = read_refraction(reader, "refraction");
-    model.absorption = read_color(reader, "absorption");
+    model.refraction = read_refraction(context, reader, "refraction");
+    model.absorption = read_color(context, reader, "absorption");
     const double together = model.reflectivity + model.transparency;
     if (reader.good() && together > 1.0 + 1e-9) {
         reader.error(
@@ -102,6 +112,15 @@ scene::DiffuseMaterial read_diffuse(Context& context, TableReader& reader) {
     return {read_texture(context, reader, "color"), read_value(context, reader, "roughness")};
 }
 
+std::optional<scene::MeasuredSpectrum> read_index(Context& context, TableReader& reader, std::string_view name) {
+    const toml::node* node = reader.value(name, Kind::curve);
+    auto curve = node ? read_curve(context, *node, reader.described(name, Kind::curve)) : std::nullopt;
+    if (node && !curve) {
+        reader.spoil();
+    }
+    return curve;
+}
+
 scene::ConductorMaterial read_conductor(Context& context, TableReader& reader) {
     scene::ConductorMaterial model;
     model.metal = reader.text("metal");
@@ -112,6 +131,16 @@ scene::ConductorMaterial read_conductor(Context& context, TableReader& reader) {
         reader.error("metal", fmt::format("there is no metal \"{}\"{}", model.metal,
                                           hint.empty() ? "; known are " + some_of(metal_names()) : ";" + hint));
     }
+    model.n = read_index(context, reader, "n");
+    model.k = read_index(context, reader, "k");
+    if (reader.has("n") != reader.has("k")) {
+        reader.error(reader.has("n") ? "n" : "k", "\"n\" and \"k\" belong together");
+    }
+    for (const char* key : {"metal", "color"}) {
+        if (reader.has("n") && reader.has(key)) {
+            reader.error(key, fmt::format("a conductor has either \"n\" and \"k\" or \"{}\"", key));
+        }
+    }
     model.color = read_texture(context, reader, "color");
     model.roughness = read_value(context, reader, "roughness");
     model.anisotropy = read_value(context, reader, "anisotropy");
@@ -120,11 +149,11 @@ scene::ConductorMaterial read_conductor(Context& context, TableReader& reader) {
 
 scene::DielectricMaterial read_dielectric(Context& context, TableReader& reader) {
     scene::DielectricMaterial model;
-    model.refraction = read_refraction(reader, "refraction");
+    model.refraction = read_refraction(context, reader, "refraction");
     model.color = read_texture(context, reader, "color");
     model.roughness = read_value(context, reader, "roughness");
     model.anisotropy = read_value(context, reader, "anisotropy");
-    model.absorption = read_color(reader, "absorption");
+    model.absorption = read_color(context, reader, "absorption");
     model.thin = reader.flag("thin");
     if (reader.good() && model.thin && model.roughness.most() > 0.0) {
         reader.error("roughness", "a thin dielectric is smooth: write roughness = 0, or thin = false");
@@ -147,7 +176,7 @@ scene::PrincipledMaterial read_principled(Context& context, TableReader& reader)
     model.specular = read_texture(context, reader, "specular");
     model.transmission = read_value(context, reader, "transmission");
     model.thin = reader.flag("thin");
-    model.absorption = read_color(reader, "absorption");
+    model.absorption = read_color(context, reader, "absorption");
     model.coat = read_value(context, reader, "coat");
     model.coat_roughness = read_value(context, reader, "coat_roughness");
     model.sheen = read_texture(context, reader, "sheen");

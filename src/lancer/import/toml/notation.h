@@ -26,15 +26,18 @@ enum class Kind {
     vector3,     // [0, 1, 2]
     direction,   // [0, 1, 2], not all zero
     size,        // [1280, 720]: whole numbers
-    color,       // "#rrggbb", a name, [r, g, b] linear
+    rgb,         // "#rrggbb", a name, [r, g, b] linear
+    color,       // the same, or a spectrum
     texture,     // a color, a checker, an image or the colours of a mesh
     value,       // a number, or { texture, channel, scale, offset }
+    curve,       // 1.5, "file.csv", { wavelengths = [...], values = [...] }
     refraction,  // 1.5, "N-BK7", { index = 1.5, abbe_number = 60 }, { b = [...], c = [...] }
     material,    // a name, or a material written in place
     rotation,    // degrees about x, y, z; or { axis = [...], angle = ... }
     scale,       // 2 or [1, 2, 3]
     vectors3,    // a list of [x, y, z]
     vectors2,    // a list of [u, v]
+    numbers,     // a list
     triangles    // a list of [a, b, c], whole numbers from 0
 };
 
@@ -89,6 +92,8 @@ const Table& principled_material();
 const Table& mix_material();
 const Table& checker();
 const Table& image();
+const Table& spectrum();
+const Table& curve();
 const Table& vertex_color();
 const Table& face_color();
 const Table& texture_value();

@@ -31,7 +31,11 @@ Json any_length(Json items) { return {{"type", "array"}, {"items", std::move(ite
 
 Json reference(std::string_view definition) { return {{"$ref", "#/$defs/" + std::string(definition)}}; }
 
-Json color(const Range& range) { return {{"anyOf", Json::array({reference("color_text"), list(numbers(range, "number"), 3)})}}; }
+Json rgb(const Range& range) { return {{"anyOf", Json::array({reference("color_text"), list(numbers(range, "number"), 3)})}}; }
+
+Json color(const Range& range) {
+    return {{"anyOf", Json::array({reference("color_text"), list(numbers(range, "number"), 3), reference("spectrum")})}};
+}
 
 Json value_schema(const Key& key) {
     switch (key.kind) {
@@ -58,16 +62,20 @@ Json value_schema(const Key& key) {
             return list(numbers(key.range, "number"), 3);
         case Kind::size:
             return list(numbers(key.range, "integer"), 2);
+        case Kind::rgb:
+            return rgb(key.range);
         case Kind::color:
             return color(key.range);
         case Kind::texture:
-            return {{"anyOf", Json::array({reference("color_text"), list(numbers(key.range, "number"), 3), reference("checker"),
-                                           reference("image"), reference("vertex_color"), reference("face_color")})}};
+            return {{"anyOf", Json::array({reference("color_text"), list(numbers(key.range, "number"), 3), reference("spectrum"),
+                                           reference("checker"), reference("image"), reference("vertex_color"), reference("face_color")})}};
         case Kind::value:
             return {{"anyOf", Json::array({numbers(key.range, "number"), reference("texture_value")})}};
         case Kind::refraction:
             return {{"anyOf", Json::array({numbers(key.range, "number"), Json{{"type", "string"}}, reference("abbe_glass"),
-                                           reference("sellmeier_glass")})}};
+                                           reference("sellmeier_glass"), reference("curve")})}};
+        case Kind::curve:
+            return {{"anyOf", Json::array({numbers(key.range, "number"), Json{{"type", "string"}, {"minLength", 1}}, reference("curve")})}};
         case Kind::material:
             return {{"anyOf", Json::array({Json{{"type", "string"}}, reference("material")})}};
         case Kind::rotation:
@@ -78,6 +86,8 @@ Json value_schema(const Key& key) {
             return any_length(list(numbers(key.range, "number"), 3));
         case Kind::vectors2:
             return any_length(list(numbers(key.range, "number"), 2));
+        case Kind::numbers:
+            return any_length(numbers(key.range, "number"));
         case Kind::triangles:
             return any_length(list(numbers(key.range, "integer"), 3));
     }
@@ -149,6 +159,8 @@ Json definitions() {
                          {"description", "A color in sRGB: \"#rrggbb\" or a name."}};
     all["checker"] = table_schema(checker());
     all["image"] = table_schema(image());
+    all["spectrum"] = table_schema(spectrum());
+    all["curve"] = table_schema(curve());
     all["vertex_color"] = table_schema(vertex_color());
     all["face_color"] = table_schema(face_color());
     all["texture_value"] = table_schema(texture_value());

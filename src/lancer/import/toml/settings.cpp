@@ -4,29 +4,34 @@
 
 #include "lancer/base/file.h"
 #include "lancer/import/toml/colors.h"
+#include "lancer/import/toml/spectra.h"
 
 namespace lancer::notation {
 
 namespace {
 
-scene::Background read_colors(TableReader& reader) {
-    const auto color = read_color_if_written(reader, "color");
-    const auto zenith = read_color_if_written(reader, "zenith");
-    const auto horizon = read_color_if_written(reader, "horizon");
-    const auto nadir = read_color_if_written(reader, "nadir");
+scene::Background read_colors(Context& context, TableReader& reader) {
+    const auto color = read_color_if_written(context, reader, "color");
+    const auto zenith = read_color_if_written(context, reader, "zenith");
+    const auto horizon = read_color_if_written(context, reader, "horizon");
+    const auto nadir = read_color_if_written(context, reader, "nadir");
     if (reader.has("color")) {
         for (const char* key : {"zenith", "horizon", "nadir"}) {
             if (reader.has(key)) {
                 reader.error(key, fmt::format("a background has either \"color\" or \"{}\"", key));
             }
         }
-        const scene::Rgb all = color.value_or(scene::Rgb(0.0));
+        const scene::Color all = color.value_or(scene::Color());
         scene::Background even;
         even.zenith = even.horizon = even.nadir = all;
         return even;
     }
-    const scene::Rgb black(0.0);
-    const scene::Rgb middle = horizon ? *horizon : zenith && nadir ? 0.5 * (*zenith + *nadir) : zenith.value_or(nadir.value_or(black));
+    if (!horizon && zenith && nadir && (zenith->spectrum || nadir->spectrum)) {
+        reader.error(reader.position(), "between two spectra \"horizon\" must be written");
+    }
+    const scene::Color middle = horizon           ? *horizon
+                                : zenith && nadir ? scene::Color(0.5 * (zenith->rgb + nadir->rgb))
+                                                  : zenith.value_or(nadir.value_or(scene::Color()));
     scene::Background gradient;
     gradient.zenith = zenith.value_or(middle);
     gradient.horizon = middle;
@@ -35,7 +40,7 @@ scene::Background read_colors(TableReader& reader) {
 }
 
 scene::Background read_background_table(Context& context, TableReader& reader) {
-    scene::Background result = read_colors(reader);
+    scene::Background result = read_colors(context, reader);
     const std::string file = reader.text("image");
     if (!file.empty()) {
         for (const char* key : {"color", "zenith", "horizon", "nadir"}) {
@@ -61,27 +66,27 @@ scene::Background read_background_table(Context& context, TableReader& reader) {
 }
 
 // `name = color`, where a table [name] may stand as well.
-std::optional<scene::Rgb> read_bare_color(Messages& messages, const toml::node& node, const Table& table) {
+std::optional<scene::Color> read_bare_color(Context& context, const toml::node& node, const Table& table) {
     Key key = *table.find("color");
     key.name = table.name;
-    return read_color(messages, node, key);
+    return read_color(context, node, key);
 }
 
 void read_background(Context& context, const toml::node& node) {
-    if (const toml::table* table = node.as_table()) {
+    if (const toml::table* table = node.as_table(); table && !is_spectrum(*table)) {
         TableReader reader(context.messages, *table, background());
         context.scene.background = read_background_table(context, reader);
-    } else if (const auto color = read_bare_color(context.messages, node, background())) {
+    } else if (const auto color = read_bare_color(context, node, background())) {
         scene::Background& background = context.scene.background;
         background.zenith = background.horizon = background.nadir = *color;
     }
 }
 
 void read_ambient(Context& context, const toml::node& node) {
-    if (const toml::table* table = node.as_table()) {
+    if (const toml::table* table = node.as_table(); table && !is_spectrum(*table)) {
         TableReader reader(context.messages, *table, ambient());
-        context.scene.ambient = read_color(reader, "color");
-    } else if (const auto color = read_bare_color(context.messages, node, ambient())) {
+        context.scene.ambient = read_color(context, reader, "color");
+    } else if (const auto color = read_bare_color(context, node, ambient())) {
         context.scene.ambient = *color;
     }
 }

@@ -354,6 +354,21 @@ std::vector<glm::vec2> TableReader::vectors2(std::string_view key) {
     return read_list<glm::vec2, 2>(*this, key, Kind::vectors2, "two numbers [u, v]");
 }
 
+std::vector<double> TableReader::numbers(std::string_view key) {
+    std::vector<double> all;
+    const toml::node* node = value(key, Kind::numbers);
+    const toml::array* array = node ? node->as_array() : nullptr;
+    if (node && !array) {
+        error(key, fmt::format("\"{}\" must be a list of numbers, not {}", key, what_it_is(*node)));
+    }
+    for (std::size_t i = 0; array && i < array->size(); ++i) {
+        double number = 0.0;
+        good_ = read_number(messages_, *array->get(i), described(key, Kind::numbers), number) && good_;
+        all.push_back(number);
+    }
+    return all;
+}
+
 std::vector<glm::uvec3> TableReader::triangles(std::string_view key) {
     return read_list<glm::uvec3, 3>(*this, key, Kind::triangles, "three corners [a, b, c]");
 }

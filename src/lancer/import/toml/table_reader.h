@@ -51,6 +51,7 @@ public:
     std::vector<glm::vec3> vectors3(std::string_view key);
     std::vector<glm::vec2> vectors2(std::string_view key);
     std::vector<glm::uvec3> triangles(std::string_view key);
+    std::vector<double> numbers(std::string_view key);
 
     // For kinds that are read elsewhere: the value when it is written.
     const toml::node* value(std::string_view key, Kind kind) const;

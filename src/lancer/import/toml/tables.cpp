@@ -101,14 +101,44 @@ const Table& directional_light() {
     return table;
 }
 
+const Table& spectrum() {
+    static const Table table{
+        "spectrum",
+        "a spectrum",
+        "A curve over wavelength, instead of a color: exactly one of illuminant, blackbody, daylight, spectrum, wavelengths with values, "
+        "metal or rgb.",
+        {{"illuminant", Kind::text, none, any, "",
+          "A light by name: A, C, D50, D65, E, FL1 to FL12, ...; of luminance 1. With rgb: what lights it."},
+         {"blackbody", Kind::number, none, Range{500.0, 100000.0}, "K", "The light of a black body of this temperature; of luminance 1."},
+         {"daylight", Kind::number, none, Range{4000.0, 25000.0}, "K", "Daylight of this colour temperature; of luminance 1."},
+         {"spectrum", Kind::file, none, any, "",
+          "A file (.csv, .spd, .txt) with a wavelength in nm and a value on each line, seen from the scene file's folder."},
+         {"wavelengths", Kind::numbers, none, Range{1.0, 1e6}, "nm", "Rising; with values."},
+         {"values", Kind::numbers, none, not_negative, "", "One for each wavelength; straight lines between them."},
+         {"metal", Kind::text, none, any, "", "What this metal mirrors when looked at straight on, by its name or symbol."},
+         {"rgb", Kind::rgb, none, not_negative, "", "A color: its smooth spectrum; as a light, times illuminant, D65 when not written."},
+         {"scale", Kind::number, 1.0, not_negative, "", "Multiplies it: of a light of luminance 1, its power or radiance."},
+         {"luminance", Kind::number, none, not_negative, "",
+          "Lights: scales it to be as bright as a white of this value, whatever it was."}}};
+    return table;
+}
+
+const Table& curve() {
+    static const Table table{"curve",
+                             "a curve",
+                             "Measured values over wavelength.",
+                             {*spectrum().find("spectrum"), *spectrum().find("wavelengths"), *spectrum().find("values")}};
+    return table;
+}
+
 const Table& checker() {
     static const Table table{
         "checker",
         "a checker",
         "Two colours alternating in cells.",
         {{"type", Kind::choice, none, any, "", "checker", true, {"checker"}},
-         {"first", Kind::color, glm::dvec3(1.0), share, "", "The colour of the cell at the origin."},
-         {"second", Kind::color, origin, share, "", "The other colour."},
+         {"first", Kind::rgb, glm::dvec3(1.0), share, "", "The colour of the cell at the origin."},
+         {"second", Kind::rgb, origin, share, "", "The other colour."},
          {"size", Kind::number, 1.0, Range{1e-6, 1e9}, "", "The edge of a cell: metres when solid, else units of the surface's uv."},
          {"solid", Kind::flag, true, any, "", "Cells are cubes in the shape's own space; else squares on the surface."}}};
     return table;
