@@ -39,8 +39,8 @@ void read_facets(Builder& builder, Plugin& plugin) {
 // A tint that nature does not have, and most scenes neither.
 void expect_white(Builder& builder, Plugin& plugin, std::string_view name) {
     const scene::Texture tint = texture_or(builder, plugin, name, Color(1.0), Role::share);
-    const Color* color = std::get_if<Color>(&tint);
-    if (!color || *color != Color(1.0)) {
+    const auto* color = std::get_if<scene::Color>(&tint);
+    if (!color || color->spectrum || color->rgb != Color(1.0)) {
         builder.context.report.dropped(fmt::format("{}: \"{}\"", plugin.title(), name), "white is used", plugin.position());
     }
 }

@@ -150,8 +150,8 @@ scene::Texture texture_or(Builder& builder, Plugin& plugin, std::string_view nam
 scene::Value value_of(Builder& builder, const Element& element) {
     scene::Value value;
     value.texture.emplace(texture_of(builder, element, Role::index));
-    if (const auto* color = std::get_if<Color>(&*value.texture)) {
-        value.number = luminance(*color);
+    if (const auto* color = std::get_if<scene::Color>(&*value.texture)) {
+        value.number = luminance(color->rgb);
         value.texture.reset();
     }
     return value;
