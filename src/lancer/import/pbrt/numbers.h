@@ -15,9 +15,10 @@ namespace lancer::pbrt {
 template <class T>
 const char* read_number(const char* begin, const char* end, T& number) {
     begin += begin != end && *begin == '+' ? 1 : 0;
-    auto [stop, problem] = std::from_chars(begin, end, number);
+    const auto exact = std::from_chars(begin, end, number);
+    const char* stop = exact.ptr;
     const auto ends_here = [&] { return stop == end || is_blank(*stop) || *stop == '#'; };
-    if (problem == std::errc{} && ends_here()) {
+    if (exact.ec == std::errc{} && ends_here()) {
         if constexpr (std::is_floating_point_v<T>) {
             return std::isfinite(number) ? stop : nullptr;
         }
