@@ -103,10 +103,16 @@ std::vector<FigureGroup> make_table() {
          {physical("metals", "Metals by their measured indices."), physical("clear-bodies", "Glass, rough glass, water, panes."),
           physical("metamers", "Two greys that are one under daylight, and two under other lamps."),
           physical("plastics", "A coloured body under a clear coat."),
+          physical("mapping", "Pictures and checkers on surfaces, averaged over what a pixel sees."),
+          physical("masks", "Cut-out surfaces."), physical("mixes", "Two materials in one."),
+          physical("bumps", "Normals bent by pictures and heights."), physical("vertex-colors", "Colours that meshes bring along."),
+          physical("metamers", "Two greys under three lamps."),
           physical("principled", "One layered material: lacquer, brushed metal, velvet, tinted glass, a film of oxide.")}},
         {"Light that follows physics: lamps and lenses",
          "",
          {physical("lamps", "A ball, a box, a tube and a cone that shine."),
+          physical("environment", "All light comes from a picture of the sky."),
+          physical("direct-light", "Lamps of four sizes over plates from smooth to rough."),
           physical("depth-of-field", "What lies before and behind the plane that is sharp.")}},
         {"Light that follows physics: gallery",
          "",
@@ -114,7 +120,10 @@ std::vector<FigureGroup> make_table() {
           physical_gallery("metal-samples", "Gold, copper, aluminium and titanium from polished to matt.", small_and_quick),
           physical_gallery("goblets", "Crystal and wine at a window.", square_and_quick),
           physical_gallery("chess-focus", "Boxwood and ebony through a fast lens.", small_and_quick),
-          physical_gallery("diamonds", "The fire of seven brilliants.", small_and_quick)}},
+          physical_gallery("diamonds", "The fire of seven brilliants.", small_and_quick),
+          physical_gallery("flacon", "Thick glass and gold under an afternoon sky.", square_and_quick),
+          physical_gallery("daylight-room", "All light comes through one window.", small_and_quick),
+          physical_gallery("still-life", "What lies on surfaces: wood, a globe, worn paint, studs, tiles, a leaf.", small_and_quick)}},
     };
 }
 
