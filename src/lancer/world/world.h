@@ -50,7 +50,8 @@ public:
     std::vector<float> curves;
     std::vector<float> filter_places;
     std::vector<kernel::vec3> observer;
-    std::vector<float> wavelength_places;
+    std::vector<int> wavelength_slots;
+    std::vector<float> wavelength_edges;
     std::vector<float> wavelength_densities;
     std::vector<kernel::LightRecord> lights;
     std::vector<kernel::BandRecord> bands;
