@@ -24,12 +24,10 @@ FN TriangleHit meet_triangle(IN(WorldRecord) world, int index, IN(Ray) ray) {
 FN void keep_nearer_triangle(IN(WorldRecord) world, int index, int object, IN(Ray) ray, INOUT(Hit) hit) {
     TriangleHit met = meet_triangle(world, index, ray);
     Mask nearer = met.t < hit.t;
-    if (some(nearer)) {
-        hit.u = select(nearer, met.u, hit.u);
-        hit.v = select(nearer, met.v, hit.v);
-        hit.part = select(nearer, Int(AT(world.objects, object).sub), hit.part);
-        keep_nearer(met.t, object, hit);
-    }
+    hit.u = select(nearer, met.u, hit.u);
+    hit.v = select(nearer, met.v, hit.v);
+    hit.part = select(nearer, Int(AT(world.objects, object).sub), hit.part);
+    keep_nearer(met.t, object, hit);
 }
 
 FN Float triangle_distance(IN(WorldRecord) world, int index, IN(Ray) ray) {

@@ -45,18 +45,13 @@ FN TriangleHit triangle_hit(Vec3 a, Vec3 b, Vec3 c, IN(Ray) ray) {
     Float wb = edge_area(sc, sa);
     Float wc = edge_area(sa, sb);
     Float sum = wa + wb + wc;
-    TriangleHit hit;
-    hit.t = Float(FAR);
-    hit.u = Float(0.0f);
-    hit.v = Float(0.0f);
     Float least = min(min(wa, wb), wc);
     Float most = max(max(wa, wb), wc);
     Mask inside = both(either(least >= Float(0.0f), most <= Float(0.0f)), abs(sum) > Float(0.0f));
-    if (some(inside)) {
-        hit.t = select(inside, triangle_plane_distance(a, b, c, ray), Float(FAR));
-        hit.u = wb / sum;
-        hit.v = wc / sum;
-    }
+    TriangleHit hit;
+    hit.t = select(inside, triangle_plane_distance(a, b, c, ray), Float(FAR));
+    hit.u = wb / sum;
+    hit.v = wc / sum;
     return hit;
 }
 
