@@ -216,7 +216,8 @@ RTCScene build_mesh(RTCDevice device, const World& world, const kernel::MeshReco
 }
 
 bool is_identity(const kernel::AffineRecord& m) {
-    return m.row_x == kernel::vec3(1, 0, 0) && m.row_y == kernel::vec3(0, 1, 0) && m.row_z == kernel::vec3(0, 0, 1) && m.shift == kernel::vec3(0);
+    return m.row_x == kernel::vec3(1, 0, 0) && m.row_y == kernel::vec3(0, 1, 0) && m.row_z == kernel::vec3(0, 0, 1) &&
+           m.shift == kernel::vec3(0);
 }
 
 void add_shapes(Implementation& tree, const World& world) {

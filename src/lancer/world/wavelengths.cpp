@@ -204,7 +204,8 @@ void compile_wavelengths(World& world) {
             between[i] = own * scale * light[i] + (1.0 - own) * white[i];
         }
         // Green counts less than its part, for red and blue share most of its wavelengths.
-        for (const glm::dvec3& weights : {glm::dvec3(1.0, 0.75, 1.0), glm::dvec3(1.0, 0.5, 1.0), glm::dvec3(1.0), glm::dvec3(1.0, 0.75, 1.3)}) {
+        for (const glm::dvec3& weights :
+             {glm::dvec3(1.0, 0.75, 1.0), glm::dvec3(1.0, 0.5, 1.0), glm::dvec3(1.0), glm::dvec3(1.0, 0.75, 1.3)}) {
             const Curve seen = seen_of(between, weights, world);
             for (const double width : {0.0, 8.0, 14.0, 20.0, 30.0}) {
                 Curve shares = shares_of(width > 0.0 ? smoothed(seen, width) : seen);

@@ -53,8 +53,8 @@ FN Float stretched_loss(IN(WorldRecord) world, IN(StretchedGrid) grid, Int sheet
     int of_cosine = grid.turns;
     int of_ratio = of_cosine * grid.cosines;
     int of_rough = of_ratio * grid.ratios;
-    Int at = Int(grid.first) + sheet * Int(of_rough * grid.roughnesses) + shape.rough.entry * Int(of_rough) + shape.ratio.entry * Int(of_ratio) +
-             view.cosine.entry * Int(of_cosine) + view.turn.entry;
+    Int at = Int(grid.first) + sheet * Int(of_rough * grid.roughnesses) + shape.rough.entry * Int(of_rough) +
+             shape.ratio.entry * Int(of_ratio) + view.cosine.entry * Int(of_cosine) + view.turn.entry;
     Float value = Float(0.0f);
     for (int i = 0; i < 2; ++i) {
         Int from = at + Int(i * of_rough);
@@ -142,7 +142,8 @@ FN Float border_lost(IN(WorldRecord) world, IN(Facets) f, Float eta, Vec3 w, Mas
         TablePlace index = stretched_index(eta);
         Int sheet = stretched_sheet(index, eta, f.beckmann);
         StretchedView view = stretched_view(f, w, grid);
-        Float more = between(stretched_loss(world, grid, sheet, shape, view), stretched_loss(world, grid, sheet + Int(1), shape, view), index.part);
+        Float more =
+            between(stretched_loss(world, grid, sheet, shape, view), stretched_loss(world, grid, sheet + Int(1), shape, view), index.part);
         loss = max(loss + more, Float(0.0f));
     }
     return loss;
@@ -155,7 +156,8 @@ FN Float mean_border_lost(IN(WorldRecord) world, IN(Facets) f, Float eta, Mask m
     if (some(shape.stretched)) {
         TablePlace index = stretched_index(eta);
         Int sheet = stretched_sheet(index, eta, f.beckmann);
-        Float mean = between(mean_stretched_loss(world, grid, sheet, shape), mean_stretched_loss(world, grid, sheet + Int(1), shape), index.part);
+        Float mean =
+            between(mean_stretched_loss(world, grid, sheet, shape), mean_stretched_loss(world, grid, sheet + Int(1), shape), index.part);
         loss = select(shape.stretched, mean, loss);
     }
     return loss;
