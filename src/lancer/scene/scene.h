@@ -164,6 +164,7 @@ struct PrincipledMaterial {
     Value sheen_roughness = 0.3;
     Value film = 0.0;  // thickness in nanometres of a thin film; 0: none
     double film_refraction = 1.3;
+    double dispersion = 0.0;  // of the clear body: 20 / Abbe number, as glTF has it
 };
 
 // Light that a surface gives by itself.

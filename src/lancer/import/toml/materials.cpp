@@ -183,6 +183,7 @@ scene::PrincipledMaterial read_principled(Context& context, TableReader& reader)
     model.sheen_roughness = read_value(context, reader, "sheen_roughness");
     model.film = read_value(context, reader, "film");
     model.film_refraction = reader.number("film_refraction");
+    model.dispersion = reader.number("dispersion");
     return model;
 }
 
