@@ -189,15 +189,41 @@ void confirm_triangle(const RTCFilterFunctionNArguments* arguments) {
     filter_triangles(arguments, [&](unsigned, int lane, int, int, const kernel::TriangleHit& hit) { return hit.t < packet.reach[lane]; });
 }
 
+void set_indices(RTCGeometry geometry, const World& world, const kernel::MeshRecord& mesh) {
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, world.indices.data(),
+                               static_cast<std::size_t>(mesh.first_triangle) * 3 * sizeof(int), 3 * sizeof(int),
+                               static_cast<std::size_t>(mesh.triangle_count));
+}
+
+// As it was written.
 RTCGeometry mesh_geometry(RTCDevice device, const World& world, const kernel::MeshRecord& mesh) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     // The last position of all is padding.
     const std::size_t vertices = world.positions.size() - static_cast<std::size_t>(mesh.first_vertex) - 1;
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, world.positions.data(),
                                static_cast<std::size_t>(mesh.first_vertex) * sizeof(kernel::vec3), sizeof(kernel::vec3), vertices);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, world.indices.data(),
-                               static_cast<std::size_t>(mesh.first_triangle) * 3 * sizeof(int), 3 * sizeof(int),
-                               static_cast<std::size_t>(mesh.triangle_count));
+    set_indices(geometry, world, mesh);
+    return geometry;
+}
+
+// In world space, its corners those that the kernel compares with.
+RTCGeometry placed_mesh_geometry(RTCDevice device, const World& world, const kernel::MeshRecord& mesh, const kernel::AffineRecord& to_world) {
+    const auto corners = world.indices.begin() + 3 * static_cast<std::ptrdiff_t>(mesh.first_triangle);
+    const int last = *std::max_element(corners, corners + 3 * static_cast<std::ptrdiff_t>(mesh.triangle_count));
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* const places = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                                     sizeof(kernel::vec3), static_cast<std::size_t>(last) + 1));
+    if (places == nullptr) {
+        throw MachineFailure("out of memory while building the tree of the scene");
+    }
+    for (int i = 0; i <= last; ++i) {
+        const kernel::Vec3 p =
+            kernel::apply_affine(to_world, kernel::broadcast(world.positions[static_cast<std::size_t>(mesh.first_vertex + i)]));
+        places[3 * i] = p.x;
+        places[3 * i + 1] = p.y;
+        places[3 * i + 2] = p.z;
+    }
+    set_indices(geometry, world, mesh);
     return geometry;
 }
 
@@ -250,9 +276,13 @@ void attach(Implementation& tree, RTCGeometry geometry, std::size_t object) {
     rtcReleaseGeometry(geometry);
 }
 
-// Meshes that stand where they were written are part of the tree itself.
+// Meshes that stand where they were written, or are placed once, are part of the tree itself.
 void add_meshes(Implementation& tree, const World& world) {
     tree.mesh_scenes.resize(world.meshes.size(), nullptr);
+    std::vector<int> uses(world.meshes.size(), 0);
+    for (const kernel::InstanceRecord& instance : world.instances) {
+        ++uses[static_cast<std::size_t>(instance.mesh)];
+    }
     for (std::size_t i = 0; i < world.objects.size(); ++i) {
         if (world.objects[i].kind != kernel::OBJECT_MESH) {
             continue;
@@ -262,6 +292,10 @@ void add_meshes(Implementation& tree, const World& world) {
         const kernel::AffineRecord& m = instance.to_world;
         if (is_identity(m)) {
             attach(tree, mesh_geometry(tree.device, world, mesh), i);
+            continue;
+        }
+        if (uses[static_cast<std::size_t>(instance.mesh)] == 1) {
+            attach(tree, placed_mesh_geometry(tree.device, world, mesh, m), i);
             continue;
         }
         RTCScene& mesh_scene = tree.mesh_scenes[static_cast<std::size_t>(instance.mesh)];
