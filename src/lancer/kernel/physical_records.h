@@ -27,6 +27,11 @@ const int BSDF_THIN_DIELECTRIC = 5;
 const int BSDF_PLASTIC = 6;
 const int BSDF_PRINCIPLED = 7;
 const int BSDF_KINDS = 8;
+const int BSDF_NULL = 8;  // the border of a medium: light passes as if there were nothing
+
+// How media scatter, see volume/phase.h.
+const int PHASE_HENYEY_GREENSTEIN = 16;
+const int PHASE_RAYLEIGH = 17;
 
 const int MATERIAL_EMITS = 1;
 const int MATERIAL_EMITS_BEHIND = 2;    // on its inner side, too
@@ -41,6 +46,7 @@ const int MATERIAL_RELIEF = 512;        // its normals are bent by a texture
 const int MATERIAL_CHOOSES = 1024;      // is a mix, or has another material behind
 const int MATERIAL_CUT = 2048;          // is not there everywhere, see `opacity`
 const int MATERIAL_OPEN_BEHIND = 4096;  // nor where it is met from within; always cut, too
+const int MATERIAL_BODY = 8192;         // a clear body, whose border bends all light that goes through
 
 // A number of a material that a texture gives: offset + scale * channel.
 const int INPUT_ROUGHNESS = 0;  // its square is alpha; rough diffuse surfaces take it as it is
@@ -97,6 +103,42 @@ struct MaterialRecord {
     int mix_second;        // 1 + the other one,
     float mix_share;       // with this chance
     int mix_input;         // 1 + input, instead; 0: none
+};
+
+const int VOLUME_SCATTERS = 1;
+const int VOLUME_EMITS = 2;
+const int VOLUME_HAS_ALBEDO = 4;
+
+const int HEAT_ENTRIES = 128;  // of a table of black bodies
+
+// What fills space.
+struct VolumeRecord {
+    ColorRecord first;     // with VOLUME_HAS_ALBEDO extinction, else absorption; per metre
+    ColorRecord second;    // the albedo, else scattering per metre
+    ColorRecord emission;  // radiance where nothing shines through
+    int flags;
+    int phase;             // PHASE_*
+    float asymmetry;       // of Henyey and Greenstein's, -0.999 to 0.999
+    int grid;              // into grids: the density, which extinction is multiplied by; -1: 1 everywhere
+    int albedo_grid;       // instead of the albedo; -1: none
+    int temperature_grid;  // kelvin; -1: none
+    int heat;              // the spectra of HEAT_ENTRIES black bodies from 0 K on: the first one's curve, or as RGB its place in voxels
+    float heat_steps;      // entries a kelvin
+};
+
+// Numbers in the cells of a box, and for each block of cells the largest of any place in it.
+struct GridRecord {
+    AffineRecord to_grid;  // the box becomes the unit cube
+    int columns;
+    int rows;
+    int layers;
+    int channels;  // 1 or 3
+    int first;     // into voxels: x runs fastest, then y, then z
+    int block;     // cells along the side of a block
+    int blocks_x;
+    int blocks_y;
+    int blocks_z;
+    int first_block;  // into voxels
 };
 
 const int EMITTER_POINT = 0;
@@ -180,7 +222,7 @@ RECORDS_END
 #ifdef __cplusplus
 namespace lancer::kernel {
 static_assert(sizeof(ColorRecord) == 40 && sizeof(InputRecord) == 20 && sizeof(MaterialRecord) == 312 && sizeof(EmitterRecord) == 144 &&
-              sizeof(SkyRecord) == 148);
+              sizeof(SkyRecord) == 148 && sizeof(VolumeRecord) == 152 && sizeof(GridRecord) == 88);
 }  // namespace lancer::kernel
 #endif
 

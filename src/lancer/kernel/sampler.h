@@ -23,6 +23,10 @@ const int DECISION_DIRECTION = 2;   // direction of the next ray
 const int DECISION_SURVIVAL = 3;    // Russian roulette; second: which of mixed materials
 const int DECISION_LAYERS = 65536;  // from here on, so many for each vertex: passing through a surface that is not there everywhere
 const int DECISIONS_OF_LAYERS = 256;
+const int DECISION_FLIGHT = 1 << 28;  // and so many: how far light flies through media; the second half: layers behind a null border
+const int DECISIONS_OF_FLIGHT = 1 << 18;
+const int DECISION_DIMMING = 1 << 29;  // and so many: what media leave of light that is asked for
+const int DECISIONS_OF_DIMMING = 1 << 18;
 
 // ---- One pixel's sample in each lane. ----------------------------------------------------------------------------------------------
 

@@ -20,6 +20,8 @@
 #include "lancer/world/shapes.h"
 #include "lancer/world/sky.h"
 #include "lancer/world/spectra.h"
+#include "lancer/world/surroundings.h"
+#include "lancer/world/volumes.h"
 #include "lancer/world/wavelengths.h"
 
 namespace lancer {
@@ -124,6 +126,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     if (physical) {
         compile_physics(scene, *world);
         compile_surfaces(scene, *world, textures, colors, diagnostics);
+        compile_volumes(scene, *world, colors, diagnostics);
         world->beam = world->textures.empty() ? 0.0f : world->beam;
     }
     const std::vector<FlatObject> flat = flatten(scene);
@@ -133,6 +136,9 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     if (physical && !diagnostics.has_errors()) {
         compile_emitters(scene, *world, colors, diagnostics);
         compile_wavelengths(*world);
+        if (world->has_media) {
+            world->camera_bodies = bodies_around(*world, camera.position);
+        }
     }
     if (diagnostics.has_errors()) {
         return nullptr;

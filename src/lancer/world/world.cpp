@@ -42,6 +42,9 @@ kernel::WorldRecord World::record() const {
     r.materials = materials.data();
     r.media = media.data();
     r.surfaces = surfaces.data();
+    r.volumes = volumes.data();
+    r.grids = grids.data();
+    r.voxels = voxels.data();
     r.emitters = emitters.data();
     r.distributions = distributions.data();
     r.curves = curves.data();
@@ -84,6 +87,13 @@ kernel::WorldRecord World::record() const {
     r.has_cuts = has_cuts ? 1 : 0;
     r.has_directions = has_directions ? 1 : 0;
     r.has_transparency = has_transparency ? 1 : 0;
+    r.has_media = has_media ? 1 : 0;
+    r.has_priorities = has_priorities ? 1 : 0;
+    r.surrounding_volume = surrounding_volume;
+    r.camera_first = camera_bodies[0];
+    r.camera_second = camera_bodies[1];
+    r.camera_third = camera_bodies[2];
+    r.camera_fourth = camera_bodies[3];
     r.ambient = ambient;
     r.camera = camera;
     return r;
@@ -94,7 +104,7 @@ std::size_t World::memory() const {
            bytes(objects) + bytes(positions) + bytes(normals) + bytes(uvs) + bytes(indices) + bytes(textures) + bytes(texels) +
            bytes(float_texels) + bytes(sky_texels) + bytes(second_uvs) + bytes(tangents) + bytes(colors) + bytes(face_colors) +
            bytes(levels) + bytes(inputs) + bytes(materials) + bytes(media) + bytes(surfaces) + bytes(emitters) + bytes(distributions) +
-           bytes(curves) + bytes(observer) + bytes(lights) + bytes(bands);
+           bytes(curves) + bytes(observer) + bytes(lights) + bytes(bands) + bytes(volumes) + bytes(grids) + bytes(voxels);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 // The immutable flat tables that the kernel reads. compile.h makes them from a scene.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -45,6 +46,9 @@ public:
     std::vector<kernel::WhittedRecord> materials;
     std::vector<kernel::MediumRecord> media;       // of materials[i]
     std::vector<kernel::MaterialRecord> surfaces;  // of materials[i]
+    std::vector<kernel::VolumeRecord> volumes;
+    std::vector<kernel::GridRecord> grids;
+    std::vector<float> voxels;
     std::vector<kernel::EmitterRecord> emitters;
     std::vector<float> distributions;
     std::vector<float> curves;
@@ -88,6 +92,10 @@ public:
     bool has_cuts = false;
     bool has_directions = false;
     bool has_transparency = false;
+    bool has_media = false;
+    bool has_priorities = false;
+    int surrounding_volume = -1;
+    std::array<int, 4> camera_bodies{-1, -1, -1, -1};  // materials of the bodies that the camera is in, as kernel::Media has them
 
     // All of it by address, as the kernel takes it.
     kernel::WorldRecord record() const;

@@ -38,6 +38,11 @@ Table physical(std::string_view type, std::string_view help, std::vector<Key> ke
     return table;
 }
 
+const Key interior{"interior", Kind::text, none, any, "", "The name of the [medium.NAME] that fills the body."};
+const Key priority{
+    "priority", Kind::integer,
+    0.0,        Range{-1e6, 1e6},
+    "",         "Where bodies overlap, the one of the highest priority fills the overlap; of equals the one that light entered last."};
 const Key roughness{"roughness", Kind::value, 0.0, share, "", "From 0, polished, to 1; its square is the width of the facets' slopes."};
 const Key anisotropy{"anisotropy", Kind::value, 0.0, Range{0.0, 1.0}, "", "How much smoother the surface is along u than along v."};
 
@@ -91,7 +96,9 @@ const Table& dielectric_material() {
          anisotropy,
          {"color", Kind::texture, glm::dvec3(1.0), share, "", "A tint of all light that it mirrors or lets through; white in nature."},
          {"absorption", Kind::color, origin, not_negative, "1/m", "How fast each colour fades inside: exp(-absorption * depth)."},
-         {"thin", Kind::flag, false, any, "", "A pane without thickness: light passes straight through."}});
+         {"thin", Kind::flag, false, any, "", "A pane without thickness: light passes straight through."},
+         interior,
+         priority});
     return table;
 }
 
@@ -122,7 +129,9 @@ const Table& principled_material() {
          {"sheen", Kind::texture, origin, share, "", "Light from fine fibres, as of velvet."},
          {"sheen_roughness", Kind::value, 0.3, share, "", "Of the fibres."},
          {"film", Kind::value, 0.0, Range{0.0, 10000.0}, "nm", "The thickness of a film that shimmers in colours; 0 for none."},
-         {"film_refraction", Kind::number, 1.3, Range{1.0, 3.0}, "", "The refractive index of the film."}});
+         {"film_refraction", Kind::number, 1.3, Range{1.0, 3.0}, "", "The refractive index of the film."},
+         interior,
+         priority});
     return table;
 }
 
@@ -130,7 +139,17 @@ const Table& mix_material() {
     static const Table table = physical("mix", "Two materials, one here and the other there, or both together.",
                                         {{"first", Kind::material, none, any, "", "A material, which may be a mix itself.", true},
                                          {"second", Kind::material, none, any, "", "The other one.", true},
-                                         {"share", Kind::value, 0.5, share, "", "How much of the second there is."}});
+                                         {"share", Kind::value, 0.5, share, "", "How much of the second there is."},
+                                         interior,
+                                         priority});
+    return table;
+}
+
+const Table& null_material() {
+    static const Table table{"null",
+                             "a material",
+                             "A border that is not seen, which closes in a medium: a cloud, a pillar of smoke.",
+                             {{"type", Kind::choice, none, any, "", "The model of the surface.", true, {"null"}}, interior, priority}};
     return table;
 }
 

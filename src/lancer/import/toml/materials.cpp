@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lancer/import/toml/colors.h"
+#include "lancer/import/toml/media.h"
 #include "lancer/import/toml/spectra.h"
 #include "lancer/spectrum/glass.h"
 #include "lancer/spectrum/metal.h"
@@ -261,9 +262,23 @@ scene::Material Materials::read_table(const toml::table& table) {
         case 5:
             material.model = read_principled(context_, reader);
             break;
-        default:
+        case 6:
             material.model = read_mix(reader);
             break;
+        default:
+            material.model = scene::NullMaterial{};
+            material.interior = read_interior(context_, reader);
+            material.priority = reader.integer("priority");
+            return material;
+    }
+    if (materials()[kind]->find("interior")) {
+        material.interior = read_interior(context_, reader);
+        material.priority = reader.integer("priority");
+        for (const char* key : {"absorption", "thin"}) {
+            if (reader.has("interior") && reader.has(key) && (std::string_view(key) != "thin" || reader.flag("thin"))) {
+                reader.error("interior", fmt::format("a material has either an \"interior\" or \"{}\"", key));
+            }
+        }
     }
     material.emission = read_emission(context_, reader);
     read_sides(reader, material);
