@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "lancer/base/file.h"
+#include "lancer/import/volume/vdb.h"
 
 namespace lancer {
 
@@ -115,7 +116,10 @@ std::optional<VoxelFile> read_voxels(std::string_view bytes, const std::string& 
     if (ending == ".vol") {
         return reader.vol();
     }
-    return reader.fail("is no grid: those are read from .vol and .raw files");
+    if (ending == ".vdb") {
+        return read_vdb(bytes, path, words.name, named_at, diagnostics);
+    }
+    return reader.fail("is no grid: those are read from .vdb, .vol and .raw files");
 }
 
 }  // namespace lancer
