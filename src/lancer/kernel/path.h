@@ -206,7 +206,7 @@ FN void ask_emitter(IN(WorldRecord) world, int depth, IN(PathVertex) vertex, IN(
             tally.shadow += lanes_in(going);
             Float passes = Float(1.0f);
             if (world.has_media != 0) {
-                Media around = select_media(through, beyond, path.media);
+                Media around = select_media(without(through, vertex.closure.thin), beyond, path.media);
                 UInt decision = UInt(uint(DECISION_DIMMING + depth * DECISIONS_OF_DIMMING));
                 light = light * passing_spectrum(world, shadow, around, path.nanometres, path.numbers, decision, going);
             } else {
