@@ -24,6 +24,12 @@ const int DECISION_SURVIVAL = 3;    // Russian roulette; second: which of mixed 
 const int DECISION_LAYERS = 65536;  // from here on, so many for each vertex: passing through a surface that is not there everywhere
 const int DECISIONS_OF_LAYERS = 256;
 
+// Of a path of light, which has a key of its own, before its vertices:
+const int DECISION_EMISSION = 0;        // which emitter; second: which side of it
+const int DECISION_EMISSION_PLACE = 1;  // point on it
+const int DECISION_EMISSION_WAY = 2;    // direction
+const int DECISION_EMISSION_LENS = 3;   // place on the lens that its vertices are joined to
+
 // ---- One pixel's sample in each lane. ----------------------------------------------------------------------------------------------
 
 struct Sampler {
