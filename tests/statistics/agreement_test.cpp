@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -29,7 +30,18 @@ struct Blocks {
     std::vector<glm::dvec3> variance;  // of the mean
 };
 
-Blocks rendered(const std::string& name, const std::string& integrator, int spp, int first_seed) {
+// Light that is followed from the lamps alone can't be seen in mirrors and through glass.
+void make_matt(scene::Scene& scene) {
+    for (scene::Material& material : scene.materials) {
+        const bool shiny = std::holds_alternative<scene::ConductorMaterial>(material.model) ||
+                           std::holds_alternative<scene::DielectricMaterial>(material.model);
+        if (shiny) {
+            material.model = scene::DiffuseMaterial{scene::Rgb(0.6), 0.0};
+        }
+    }
+}
+
+Blocks rendered(const std::string& name, const std::string& integrator, bool matt, int spp, int first_seed) {
     std::vector<glm::dvec3> sum(blocks * blocks, glm::dvec3(0.0)), squares(blocks * blocks, glm::dvec3(0.0));
     for (int i = 0; i < renders; ++i) {
         Diagnostics diagnostics;
@@ -37,6 +49,9 @@ Blocks rendered(const std::string& name, const std::string& integrator, int spp,
         if (!scene) {
             ADD_FAILURE() << name;
             break;
+        }
+        if (matt) {
+            make_matt(*scene);
         }
         scene->settings.width = scene->settings.height = size;
         scene->settings.integrator = integrator;
@@ -81,16 +96,17 @@ struct AgreementCase {
     std::string scene;
     std::vector<std::string> integrators;
     int spp = 16;
+    bool matt = false;
 };
 
 class Agreement : public testing::TestWithParam<AgreementCase> {};
 
 TEST_P(Agreement, OfAllIntegrators) {
     const AgreementCase& c = GetParam();
-    const Blocks path = rendered(c.scene, "path", c.spp, 100);
+    const Blocks path = rendered(c.scene, "path", c.matt, c.spp, 100);
     int seed = 200;
     for (const std::string& integrator : c.integrators) {
-        const Blocks other = rendered(c.scene, integrator, c.spp, seed);
+        const Blocks other = rendered(c.scene, integrator, c.matt, c.spp, seed);
         seed += 100;
         for (std::size_t b = 0; b < path.mean.size(); ++b) {
             for (int k = 0; k < 3; ++k) {
@@ -107,7 +123,9 @@ TEST_P(Agreement, OfAllIntegrators) {
 
 INSTANTIATE_TEST_SUITE_P(Statistics, Agreement,
                          testing::Values(AgreementCase{"Lamps", "features/lamps.toml", {"bdpt"}},
-                                         AgreementCase{"CornellBox", "gallery/cornell-box.toml", {"bdpt"}},
+                                         AgreementCase{"CornellBox", "gallery/cornell-box.toml", {"bdpt", "vcm"}},
+                                         AgreementCase{"MattBox", "gallery/cornell-box.toml", {"light", "bdpt", "vcm"}, 16, true},
+                                         AgreementCase{"MattRoom", "features/both-ends.toml", {"light", "bdpt", "vcm"}, 16, true},
                                          AgreementCase{"Principled", "features/principled.toml", {"bdpt"}},
                                          AgreementCase{"Plastics", "features/plastics.toml", {"bdpt"}},
                                          AgreementCase{"Metals", "features/metals.toml", {"bdpt"}},

@@ -58,14 +58,14 @@ IntegratorChoice suit(const Scene& scene) {
     if (scene.lights.empty()) {
         return {"path", "its lamps can be met by chance"};
     }
-    const std::vector<Obstacle> against = obstacles(scene, "bdpt");
+    const std::vector<Obstacle> against = obstacles(scene, "vcm");
     if (!against.empty()) {
-        return {"path", "bdpt, which would find the light that glass and mirrors throw, can't: " + against.front().what};
+        return {"path", "vcm, which would find the light that glass and mirrors throw, can't: " + against.front().what};
     }
     if (!scene.settings.aovs.empty() || scene.settings.spectral_bins > 0) {
         return {"path", "AOVs and spectra are its own"};
     }
-    return {"bdpt", "glass or mirrors throw the light of lights without size, which paths from the camera alone never find"};
+    return {"vcm", "glass or mirrors throw the light of lights without size, which paths from the camera alone never find"};
 }
 
 }  // namespace
