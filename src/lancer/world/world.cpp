@@ -56,6 +56,8 @@ kernel::WorldRecord World::record() const {
     r.wavelength_densities = wavelength_densities.data();
     r.lights = lights.data();
     r.bands = bands.data();
+    r.filter_values = filter_values.data();
+    r.light_vertices = nullptr;
     r.tree = nullptr;
     r.bound_x = bound_x.data();
     r.bound_y = bound_y.data();
@@ -73,10 +75,14 @@ kernel::WorldRecord World::record() const {
     r.emitter_count = static_cast<int>(emitters.size());
     r.chosen_by_strength = chosen_by_strength ? 1 : 0;
     r.environment = environment;
+    r.first_emission = first_emission;
+    r.scene_middle = scene_middle;
+    r.scene_radius = scene_radius;
     r.spectral = spectral ? 1 : 0;
     r.max_depth = max_depth;
     r.limits = limits;
     r.ways = ways;
+    r.halves = halves;
     r.filter_record = filter;
     r.seed = seed;
     r.sky = sky;
