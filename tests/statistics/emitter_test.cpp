@@ -22,9 +22,15 @@ using namespace kernel;
 constexpr double pi = 3.14159265358979323846;
 
 TEST(Emitter, EveryKindIsTested) {
-    std::set<int> kinds;
+    std::set<int> kinds, skies;
     for (const EmitterCase& c : emitter_cases()) {
         kinds.insert(c.kind);
+        if (c.kind == EMITTER_ENVIRONMENT) {
+            skies.insert(c.world->sky.kind);
+        }
+    }
+    for (int kind = SKY_EVEN; kind < SKY_KINDS; ++kind) {
+        EXPECT_TRUE(skies.count(kind)) << "sky kind " << kind << " has no case in tests/statistics/emitter_test.cpp";
     }
     for (int kind = 0; kind < EMITTER_KINDS; ++kind) {
         EXPECT_TRUE(kinds.count(kind)) << "emitter kind " << kind << " has no case in tests/statistics/emitter_test.cpp";

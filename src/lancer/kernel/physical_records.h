@@ -179,6 +179,7 @@ const int SKY_NONE = 0;
 const int SKY_EVEN = 1;      // `horizon` everywhere
 const int SKY_GRADIENT = 2;  // from below to above
 const int SKY_IMAGE = 3;
+const int SKY_KINDS = 4;
 
 // Where no object is. An image is `scale` times sky_texels, `height` rows of `width`, under the illuminant of `horizon`.
 struct SkyRecord {

@@ -275,7 +275,8 @@ struct WorldRecord {
     FloatTable albedo;                // what rough surfaces reflect, see bsdf/albedo.h
     FloatTable filter_places;         // see FilterRecord
     Vec3Table observer;               // linear RGB of one unit at each nanometre
-    FloatTable wavelength_places;     // nanometres at the edges of the slots, see spectrum.h
+    IntTable wavelength_slots;        // the nanometre in which each begins, see spectrum.h
+    FloatTable wavelength_edges;      // of the random number, between the nanometres
     FloatTable wavelength_densities;  // with which each nanometre is drawn
     LightTable lights;
     BandTable bands;

@@ -72,11 +72,11 @@ public:
     }
 
     void add_sky() {
-        const double mean = compile_sky_shares(world_, world_.ways == kernel::WAYS_BOTH);
-        if (mean > 0.0) {
+        const SkyLight sky = compile_sky_shares(world_, world_.ways == kernel::WAYS_BOTH);
+        if (sky.mean > 0.0) {
             kernel::EmitterRecord record = no_emitter();
             record.kind = kernel::EMITTER_ENVIRONMENT;
-            record.strength = static_cast<float>(std::numbers::pi * mean);
+            record.strength = static_cast<float>(std::numbers::pi * sky.asked);
             world_.environment = static_cast<int>(world_.emitters.size());
             world_.emitters.push_back(record);
         }

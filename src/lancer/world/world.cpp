@@ -52,7 +52,8 @@ kernel::WorldRecord World::record() const {
     r.albedo = microfacet_albedo_table().data();
     r.filter_places = filter_places.data();
     r.observer = observer.data();
-    r.wavelength_places = wavelength_places.data();
+    r.wavelength_slots = wavelength_slots.data();
+    r.wavelength_edges = wavelength_edges.data();
     r.wavelength_densities = wavelength_densities.data();
     r.lights = lights.data();
     r.bands = bands.data();

@@ -55,7 +55,8 @@ public:
     std::vector<float> filter_places;
     std::vector<float> filter_values;
     std::vector<kernel::vec3> observer;
-    std::vector<float> wavelength_places;
+    std::vector<int> wavelength_slots;
+    std::vector<float> wavelength_edges;
     std::vector<float> wavelength_densities;
     std::vector<kernel::LightRecord> lights;
     std::vector<kernel::BandRecord> bands;

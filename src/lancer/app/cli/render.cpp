@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 #include <utility>
 
@@ -45,6 +46,7 @@ struct Times {  // seconds
     double prepare = 0.0;
     double render = 0.0;
     double write = 0.0;
+    double processor = 0.0;  // of all threads, while rendering
 };
 
 nlohmann::ordered_json bad_samples_json(const BadSamples& bad, const World& world);
@@ -69,6 +71,7 @@ nlohmann::ordered_json statistics_json(const Prepared& prepared, const RenderSta
         {"pixels_that_are_not_numbers", done.bad_pixels},
         {"bad_samples", bad_samples_json(done.bad_samples, *prepared.world)},
         {"seconds", {{"load", times.load}, {"prepare", times.prepare}, {"render", times.render}, {"write", times.write}}},
+        {"processor_seconds", times.processor},
         {"written", written},
     };
 }
@@ -254,9 +257,11 @@ int render_scene(const CLI::App& app, Arguments arguments) {
         sums.emplace(film.width, film.height, layers);
     }
     RenderProgressPrinter printer(style, file);
+    const std::clock_t processor_start = std::clock();
     const RenderStatistics done = render(*prepared->device, prepared->options, film, &printer, &interrupted, sums ? &*sums : nullptr);
     printer.clear();
     times.render = done.seconds;
+    times.processor = static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC;
     report_bad_samples(done.bad_samples, *prepared->world);
     if (done.bad_pixels > 0) {
         fmt::print(stderr, "lancer: warning: {} of the picture {} not a number; the first is at ({}, {}), counted from the upper left\n",

@@ -106,7 +106,6 @@ std::vector<FigureGroup> make_table() {
           physical("mapping", "Pictures and checkers on surfaces, averaged over what a pixel sees."),
           physical("masks", "Cut-out surfaces."), physical("mixes", "Two materials in one."),
           physical("bumps", "Normals bent by pictures and heights."), physical("vertex-colors", "Colours that meshes bring along."),
-          physical("metamers", "Two greys under three lamps."),
           physical("principled", "One layered material: lacquer, brushed metal, velvet, tinted glass, a film of oxide.")}},
         {"Light that follows physics: lamps and lenses",
          "",
