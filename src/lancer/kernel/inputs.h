@@ -58,6 +58,8 @@ FN void take_inputs(IN(WorldRecord) world, IN(MaterialRecord) material, IN(Surfa
             c.sheen_roughness = share;
         } else if (source.kind == INPUT_FILM) {
             c.film = film_thickness(max(x, Float(0.0f)), nanometres, world.spectral != 0);
+        } else if (source.kind == INPUT_PASSES) {
+            c.film_index = share;
         }
     }
 }

@@ -92,13 +92,20 @@ FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, 
     c.roughness_x = Float(material.roughness_x);
     c.roughness_y = Float(material.roughness_y);
     c.beckmann = all_or_none((material.flags & MATERIAL_BECKMANN) != 0);
-    if (material.kind == BSDF_PLASTIC || material.kind == BSDF_PRINCIPLED) {
+    c.separate = all_or_none((material.flags & MATERIAL_SEPARATE) != 0);
+    c.once = all_or_none((material.flags & MATERIAL_ONCE) != 0);
+    if (material.kind == BSDF_BURLEY) {
+        c.index = vec4_all(Float(material.eta));
+        c.sheen = vec4_of(Float(material.sheen_tint), Float(material.specular_tint), Float(material.flatness), Float(material.brightness));
+    } else if (material.kind == BSDF_PLASTIC || material.kind == BSDF_PRINCIPLED) {
         c.index = vec4_all(Float(material.eta));
         c.extinction = color_value(world, material.extinction, point, nanometres, mask);
         c.saturates = all_or_none((material.flags & MATERIAL_SATURATES) != 0);
     }
     if (material.kind == BSDF_PRINCIPLED) {
         c.sheen = color_value(world, material.index, point, nanometres, mask);
+    }
+    if (material.kind == BSDF_PRINCIPLED || material.kind == BSDF_BURLEY) {
         c.metalness = Float(material.metalness);
         c.transmission = Float(material.transmission);
         c.coat = Float(material.coat);

@@ -40,8 +40,8 @@ UvTransform uv_transform(Plugin& plugin) {
 
 scene::Texture checkerboard(Builder& builder, Plugin& plugin, Role role) {
     scene::Checker checker;
-    checker.first = color_or(builder, plugin, "color0", Color(0.4), role);
-    checker.second = color_or(builder, plugin, "color1", Color(0.2), role);
+    checker.first = visible(color_or(builder, plugin, "color0", Color(0.4), role), role);
+    checker.second = visible(color_or(builder, plugin, "color1", Color(0.2), role), role);
     checker.solid = false;
     const UvTransform uv = uv_transform(plugin);
     const double scale = glm::length(uv.x);
@@ -151,7 +151,7 @@ scene::Value value_of(Builder& builder, const Element& element) {
     scene::Value value;
     value.texture.emplace(texture_of(builder, element, Role::index));
     if (const auto* color = std::get_if<scene::Color>(&*value.texture)) {
-        value.number = luminance(color->rgb);
+        value.number = luminance(visible(*color, Role::index));
         value.texture.reset();
     }
     return value;

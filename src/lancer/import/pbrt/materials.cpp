@@ -78,6 +78,7 @@ private:
 
     scene::ConductorMaterial conductor(const std::string& prefix, const Textures& textures) {
         scene::ConductorMaterial metal;
+        metal.facets.once = true;
         const Facets f = facets(prefix, 0.0);
         metal.roughness = f.roughness;
         metal.anisotropy = f.anisotropy;
@@ -91,17 +92,13 @@ private:
             metal.metal = "Cu";
             return metal;
         }
-        const auto n_curve = eta != nullptr ? read_curve(parameters_, *eta, recipe_.space) : find_metal("Cu")->n;
-        const auto k_curve = k != nullptr ? read_curve(parameters_, *k, recipe_.space) : find_metal("Cu")->k;
-        if (n_curve && k_curve) {
-            std::vector<double> nanometres, values;
-            for (int i = 0; i < coarse_grid.count; ++i) {
-                nanometres.push_back(coarse_grid.first + i * coarse_grid.step);
-                values.push_back(normal_reflectance(n_curve->at(nanometres.back()), k_curve->at(nanometres.back())));
-            }
-            metal.color = scene::Rgb(glm::clamp(
-                reflected_rgb(SpectralCurve(std::move(nanometres), std::move(values), SpectralCurve::Beyond::constant)), 0.0, 1.0));
-        }
+        const Metal copper = find_metal("Cu").value();
+        const auto index_of = [&](const Parameter* parameter, const SpectralCurve& otherwise) -> scene::Index {
+            const auto read = parameter != nullptr ? read_index(parameters_, *parameter, recipe_.space) : std::nullopt;
+            return read ? *read : scene::MeasuredSpectrum{otherwise.nanometres(), otherwise.values()};
+        };
+        metal.n = index_of(eta, copper.n);
+        metal.k = index_of(k, copper.k);
         return metal;
     }
 
@@ -130,6 +127,7 @@ private:
         glass.refraction = refraction(1.5);
         glass.thin = thin;
         if (!thin) {
+            glass.facets.once = true;
             const Facets f = facets("", 0.0);
             glass.roughness = f.roughness;
             glass.anisotropy = f.anisotropy;

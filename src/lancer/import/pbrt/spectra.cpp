@@ -137,4 +137,20 @@ std::optional<SpectralCurve> read_curve(const Parameters& parameters, const Para
     return SpectralCurve(std::move(nanometres), std::move(values), SpectralCurve::Beyond::constant);
 }
 
+std::optional<scene::Index> read_index(const Parameters& parameters, const Parameter& parameter, ColorSpace space) {
+    if (is_rgb(parameter)) {
+        const auto rgb = read_triple(parameters, parameter);
+        return rgb ? std::optional<scene::Index>(glm::max(share_to_srgb(space, *rgb), 0.0)) : std::nullopt;
+    }
+    const auto curve = read_measured(parameters, parameter);
+    if (!curve) {
+        return std::nullopt;
+    }
+    if (!(curve->lowest() >= 0.0)) {
+        parameters.error(parameter, fmt::format("\"{}\" must not be negative", parameter.name));
+        return std::nullopt;
+    }
+    return scene::MeasuredSpectrum{curve->nanometres(), curve->values()};
+}
+
 }  // namespace lancer::pbrt

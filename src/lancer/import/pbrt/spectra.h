@@ -22,4 +22,7 @@ std::optional<Color> read_light(const Parameters& parameters, const Parameter& p
 // An index or an absorption, over wavelength; of rgb a smooth curve through the three numbers.
 std::optional<SpectralCurve> read_curve(const Parameters& parameters, const Parameter& parameter, ColorSpace space);
 
+// Part of a complex index of refraction.
+std::optional<scene::Index> read_index(const Parameters& parameters, const Parameter& parameter, ColorSpace space);
+
 }  // namespace lancer::pbrt

@@ -72,7 +72,7 @@ FN BsdfValue dielectric_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec
         AlbedoPlace beyond = loss.behind;
         beyond.sheet = select(reflects, loss.front.sheet, beyond.sheet);
         beyond.part = select(reflects, loss.front.part, beyond.part);
-        Float lost_out = albedo_at(world, loss.front, cosine_of_round_facets(f, wo), rough);
+        Float lost_out = select(c.once, Float(0.0f), albedo_at(world, loss.front, cosine_of_round_facets(f, wo), rough));
         Float lost_in =
             albedo_at(world, beyond, cosine_of_round_facets(f, wi), rough) / select(reflects, loss.mean_front, loss.mean_behind);
         Float side = abs(wi.z) * Float(1.0f / PI) * select(reflects, Float(1.0f) - loss.through, loss.through);
@@ -100,6 +100,7 @@ FN BsdfSample dielectric_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, F
         m = select(rough, facets_visible_normal(facets_of(c), wo, u), m);
         loss = border_loss(world, c, rough);
         Float lost = albedo_at(world, loss.front, cosine_of_round_facets(facets_of(c), wo), rough);
+        lost = select(c.once, Float(0.0f), lost);
         several = both(rough, choice < lost);
         rest = select(
             rough, select(several, choice / max(lost, Float(SMALLEST)), (choice - lost) / max(Float(1.0f) - lost, Float(SMALLEST))), rest);

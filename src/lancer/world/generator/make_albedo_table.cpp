@@ -75,6 +75,8 @@ private:
         Facets f;
         f.x = f.y = rough == 0 ? 1e-6 : root * root;
         f.beckmann = distribution == 1;
+        f.separate = false;
+        f.once = false;
         const Vec3 wo = vec3_of(std::sqrt(1.0 - mu * mu), 0.0, mu);
         const double lambda = facets_lambda(f, wo);
 
