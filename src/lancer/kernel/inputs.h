@@ -85,7 +85,7 @@ FN Int choose_material(IN(WorldRecord) world, int start, IN(SurfacePoint) point,
             turned = either(turned, behind);
             staying = without(mine, behind);
         }
-        if (material.mix_first > 0) {
+        if (material.mix_first > 0 && (material.flags & MATERIAL_BLENDS) == 0) {
             Float share = share_value(world, material.mix_share, material.mix_input, point, staying);
             Mask second = u < share;
             Float rest = select(second, u / max(share, Float(SMALLEST)), (u - share) / max(Float(1.0f) - share, Float(SMALLEST)));

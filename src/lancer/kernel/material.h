@@ -84,7 +84,13 @@ FN Mask all_or_none(bool yes) { return Float(yes ? 1.0f : 0.0f) > Float(0.5f); }
 FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) point, Vec4 nanometres, Mask mask) {
     Closure c = no_closure();
     c.kind = Int(material.kind);
-    c.color = color_value(world, material.color, point, nanometres, mask);
+    if ((material.flags & MATERIAL_BLENDS) != 0) {
+        Spectrum first = color_value(world, AT(world.surfaces, material.mix_first - 1).color, point, nanometres, mask);
+        Spectrum second = color_value(world, AT(world.surfaces, material.mix_second - 1).color, point, nanometres, mask);
+        c.color = first + (second - first) * share_value(world, material.mix_share, material.mix_input, point, mask);
+    } else {
+        c.color = color_value(world, material.color, point, nanometres, mask);
+    }
     if (material.kind == BSDF_CONDUCTOR) {
         c.index = color_value(world, material.index, point, nanometres, mask);
         c.extinction = color_value(world, material.extinction, point, nanometres, mask);

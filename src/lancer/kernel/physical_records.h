@@ -43,6 +43,7 @@ const int MATERIAL_CHOOSES = 1024;      // is a mix, or has another material beh
 const int MATERIAL_CUT = 2048;          // is not there everywhere, see `opacity`
 const int MATERIAL_OPEN_BEHIND = 4096;  // nor where it is met from within; always cut, too
 const int MATERIAL_SEPARATE = 32768;    // its facets hide one another towards either direction by itself
+const int MATERIAL_BLENDS = 131072;     // a mix of two diffuse surfaces, looked at as one of the mixed colour
 const int MATERIAL_ONCE = 65536;        // light that meets several of its facets is lost
 
 // A number of a material that a texture gives: offset + scale * channel.
@@ -160,6 +161,8 @@ struct SkyRecord {
     vec3 x_axis;
     vec3 y_axis;
     vec3 z_axis;
+    float stretch;  // a height in the picture, from the top, is this times one in the sky
+    float shift;    // and this
     float scale;
     int first_share;  // into distributions: `height` cumulative shares of rows; for each row, `width` of its texels
 };
@@ -192,7 +195,7 @@ RECORDS_END
 #ifdef __cplusplus
 namespace lancer::kernel {
 static_assert(sizeof(ColorRecord) == 40 && sizeof(InputRecord) == 20 && sizeof(MaterialRecord) == 328 && sizeof(EmitterRecord) == 144 &&
-              sizeof(SkyRecord) == 188);
+              sizeof(SkyRecord) == 196);
 }  // namespace lancer::kernel
 #endif
 

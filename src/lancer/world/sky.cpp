@@ -90,6 +90,8 @@ void compile_sky(const scene::Background& background, World& world, Colors& colo
         sky.kind = kernel::SKY_IMAGE;
         sky.turn = static_cast<float>(background.rotation / 360.0 - std::floor(background.rotation / 360.0));
         sky.scale = static_cast<float>(background.strength);
+        sky.stretch = static_cast<float>(background.image->scale.y);
+        sky.shift = static_cast<float>(1.0 - background.image->scale.y - background.image->offset.y);  // seen from the top
         sky.tilted = background.axes == glm::dmat3(1.0) ? 0 : 1;
         sky.x_axis = kernel::vec3(background.axes[0]);
         sky.y_axis = kernel::vec3(background.axes[1]);

@@ -75,10 +75,31 @@ public:
                     record.clearness = child.clearness;
                 }
             }
+            if (!endless_ && blends(record)) {
+                record.kind = kernel::BSDF_DIFFUSE;
+                record.flags |= kernel::MATERIAL_BLENDS;
+                record.flags &= record.behind > 0 ? ~0 : ~kernel::MATERIAL_CHOOSES;
+            }
         }
     }
 
 private:
+    // A mix of two diffuse surfaces is one of the mixed colour: nothing has to be drawn.
+    bool blends(const kernel::MaterialRecord& record) const {
+        if (record.mix_first <= 0) {
+            return false;
+        }
+        constexpr int kept = kernel::MATERIAL_MAPPED | kernel::MATERIAL_TINTED | kernel::MATERIAL_ONE_SIDED;
+        for (const int number : {record.mix_first, record.mix_second}) {
+            const kernel::MaterialRecord& part = world_.surfaces[static_cast<std::size_t>(number - 1)];
+            const bool same_side = ((part.flags ^ record.flags) & kernel::MATERIAL_ONE_SIDED) == 0;
+            if (part.kind != kernel::BSDF_DIFFUSE || (part.flags & ~kept) != 0 || part.mix_first > 0 || !same_side) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     // All materials that may be met where `number` is, itself first. Too deep a nesting is a mix that contains itself.
     void collect(int number, const SourcePosition& position, int depth, std::vector<int>& parts) {
         if (depth > 32 || parts.size() > 1024) {

@@ -14,18 +14,22 @@ namespace lancer::mitsuba {
 
 namespace {
 
-// Widths of facets' slopes along u and v.
-struct Alphas {
-    double roughness = 0.0;
+// How rough and how stretched facets are, as our materials have it: the roots of the widths of their slopes.
+struct Slopes {
+    scene::Value roughness = 0.0;
     double anisotropy = 0.0;
 };
 
-Alphas alphas(Builder& builder, Plugin& plugin) {
-    const double both = number_or(builder, plugin, "alpha", 0.1);
-    const double u = std::clamp(number_or(builder, plugin, "alpha_u", both), 1e-4, 1.0);
-    const double v = std::clamp(number_or(builder, plugin, "alpha_v", both), 1e-4, 1.0);
+double root_of_alpha(double alpha) { return std::sqrt(std::clamp(alpha, 1e-4, 1.0)); }
+
+Slopes slopes(Builder& builder, Plugin& plugin) {
     plugin.ignore("sample_visible");
-    // The other way round as in scene.h: there, alpha_u / alpha_v is 1 - 0.9 anisotropy.
+    if (!plugin.has("alpha_u") && !plugin.has("alpha_v")) {
+        return {changed_value_or(builder, plugin, "alpha", 0.1, root_of_alpha), 0.0};
+    }
+    const double u = std::clamp(number_or(builder, plugin, "alpha_u", 0.1), 1e-4, 1.0);
+    const double v = std::clamp(number_or(builder, plugin, "alpha_v", 0.1), 1e-4, 1.0);
+    // Ours: the ratio of the two is 1 - 0.9 anisotropy.
     return {std::sqrt(std::sqrt(u * v)), (1.0 - u / v) / 0.9};
 }
 
@@ -83,7 +87,7 @@ scene::Material dielectric(Builder& builder, Plugin& plugin, bool rough, bool th
     material.thin = thin;
     material.refraction = relative_index(builder, plugin, "bk7");
     if (rough) {
-        const Alphas a = alphas(builder, plugin);
+        const Slopes a = slopes(builder, plugin);
         material.roughness = a.roughness;
         material.anisotropy = a.anisotropy;
         material.facets = read_facets(builder, plugin);
@@ -117,7 +121,7 @@ scene::Material conductor(Builder& builder, Plugin& plugin, bool rough) {
     auto& material = std::get<scene::ConductorMaterial>(made.model);
     set_metal(builder, plugin, material);
     if (rough) {
-        const Alphas a = alphas(builder, plugin);
+        const Slopes a = slopes(builder, plugin);
         material.roughness = a.roughness;
         material.anisotropy = a.anisotropy;
         material.facets = read_facets(builder, plugin);
@@ -134,7 +138,7 @@ scene::Material plastic(Builder& builder, Plugin& plugin, bool rough) {
     material.refraction = within / index_or(builder, plugin, "ext_ior", "air");
     material.saturates = plugin.flag("nonlinear", false);
     if (rough) {
-        material.roughness = alphas(builder, plugin).roughness;
+        material.roughness = slopes(builder, plugin).roughness;
         material.facets = read_facets(builder, plugin);
     }
     expect_white(builder, plugin, "specular_reflectance");
@@ -189,7 +193,7 @@ scene::Material lobes(Builder& builder, Plugin& plugin) {
     material.color = texture_or(builder, plugin, "diffuse_reflectance", Color(0.5), Role::share);
     const double exponent = number_or(builder, plugin, "exponent", 30.0);
     material.roughness =
-        plugin.type() == "phong" ? std::pow(2.0 / (std::max(exponent, 0.0) + 2.0), 0.25) : alphas(builder, plugin).roughness;
+        plugin.type() == "phong" ? scene::Value(std::pow(2.0 / (std::max(exponent, 0.0) + 2.0), 0.25)) : slopes(builder, plugin).roughness;
     plugin.ignore("specular_reflectance");
     plugin.ignore("variant");
     builder.approximated(plugin, "our principled material");

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "lancer/image/image.h"
 #include "lancer/import/mesh/mesh_messages.h"
 #include "lancer/import/mitsuba/textures.h"
 
@@ -83,6 +85,14 @@ void add_environment(Builder& builder, Plugin& plugin) {
     if (!builder.context.files.image(image.file, plugin.position())) {
         set_background(builder, Color(1.0, 0.0, 1.0));
         return;
+    }
+    // Its first and last row lie on the poles; ours end there.
+    try {
+        const int rows = read_image(image.file).height;
+        image.scale.y = rows > 1 ? static_cast<double>(rows - 1) / rows : 1.0;
+        image.offset.y = rows > 1 ? 0.5 / rows : 0.0;
+    } catch (const std::runtime_error& problem) {
+        builder.error(plugin.position(), problem.what());
     }
     // Its left edge lies along -z, where the middle of ours does.
     builder.scene.background.rotation = 180.0;

@@ -10,7 +10,13 @@
 
 namespace lancer::pbrt {
 
-using Color = scene::Rgb;
+using Color = scene::Color;
+
+// How a share looks, and a light.
+scene::Rgb visible(const Color& share);
+scene::Rgb visible_light(const Color& light);
+
+Color operator*(const Color& color, double factor);
 
 // A share of light, such as a reflectance; nothing after an error.
 std::optional<Color> read_share(const Parameters& parameters, const Parameter& parameter, ColorSpace space);

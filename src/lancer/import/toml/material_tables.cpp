@@ -45,7 +45,8 @@ const Key facet_shadows{"facet_shadows", Kind::choice, "correlated", any, "",
                         false, {"correlated", "separate"}};
 const Key facet_light{"facet_light", Kind::choice, "kept", any, "", "What becomes of light that meets several of them; many programs lose it.",
                       false, {"kept", "lost"}};
-const Key anisotropy{"anisotropy", Kind::value, 0.0, Range{0.0, 1.0}, "", "How much smoother the surface is along u than along v."};
+const Key anisotropy{"anisotropy", Kind::value, 0.0, Range{-100.0, 1.1}, "",
+                     "How much smoother the surface is along u than along v, 0 to 1; below 0 it is rougher."};
 
 }  // namespace
 

@@ -33,7 +33,7 @@ FN Vec3 sky_texel(IN(WorldRecord) world, Float x, Float y, Mask mask) {
 FN Vec3 sky_color(IN(WorldRecord) world, Vec3 direction, Mask mask) {
     Vec2 place = sky_place(world.sky, direction);
     Float x = place.x * Float(float(world.sky.width)) - Float(0.5f);
-    Float y = place.y * Float(float(world.sky.height)) - Float(0.5f);
+    Float y = (place.y * Float(world.sky.stretch) + Float(world.sky.shift)) * Float(float(world.sky.height)) - Float(0.5f);
     Float left = floor(x);
     Float top = floor(y);
     Float one = Float(1.0f);
