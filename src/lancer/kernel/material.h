@@ -62,6 +62,8 @@ struct PathVertex {
     Int material;
     Int emitter;  // -1: none
     Mask inside;  // the path comes from within
+    Vec3 smooth_;  // the shading normal before it was bent, and how rough that made it; -1: not at all, or that is not asked for
+    Float hills;
     Vec3 albedo;  // linear RGB; this and `uv` where `world.watched`
     Vec2 uv;
 };
@@ -74,6 +76,8 @@ FN PathVertex no_vertex() {
     v.material = Int(-1);
     v.emitter = Int(-1);
     v.inside = Float(1.0f) < Float(0.0f);
+    v.smooth_ = v.point.shading;
+    v.hills = Float(-1.0f);
     v.albedo = vec3_all(Float(0.0f));
     v.uv = vec2_of(Float(0.0f), Float(0.0f));
     return v;
@@ -176,7 +180,15 @@ FN void take_material(IN(WorldRecord) world, IN(MaterialRecord) material, IN(Sur
     }
     vertex.closure = select_closure(mine, c, vertex.closure);
     if ((material.flags & MATERIAL_RELIEF) != 0) {
-        vertex.point.shading = select(mine, bent_normal(world, material, s, mine), vertex.point.shading);
+        Vec3 bent = bent_normal(world, material, s, mine);
+        if ((material.flags & MATERIAL_HILLS) != 0) {
+            // Seen from the same side as the surface, if turned about [Schuessler et al. 2017].
+            Mask away = dot(bent, direction) * dot(s.shading, direction) <= Float(0.0f);
+            bent = select(away, s.shading * (Float(2.0f) * dot(bent, s.shading)) - bent, bent);
+            vertex.smooth_ = select(mine, s.shading, vertex.smooth_);
+            vertex.hills = select(mine, hills_of(s.shading, bent), vertex.hills);
+        }
+        vertex.point.shading = select(mine, bent, vertex.point.shading);
     }
     if ((material.flags & MATERIAL_TURNED) != 0) {
         vertex.point.along_u = select(mine, s.along_u, vertex.point.along_u);

@@ -44,6 +44,7 @@ const int MATERIAL_CUT = 2048;          // is not there everywhere, see `opacity
 const int MATERIAL_OPEN_BEHIND = 4096;  // nor where it is met from within; always cut, too
 const int MATERIAL_SEPARATE = 32768;    // its facets hide one another towards either direction by itself
 const int MATERIAL_BLENDS = 131072;     // a mix of two diffuse surfaces, looked at as one of the mixed colour
+const int MATERIAL_HILLS = 262144;      // its bent normals hide from one another, see relief.h
 const int MATERIAL_ONCE = 65536;        // light that meets several of its facets is lost
 
 // A number of a material that a texture gives: offset + scale * channel.

@@ -73,6 +73,21 @@ FN Vec3 bent_normal(IN(WorldRecord) world, IN(MaterialRecord) material, IN(Surfa
     return n;
 }
 
+// How rough the relief looks, for the share of light that it hides from itself: normals that lean as this one does, as facets
+// [Estevez et al. 2019]. `smooth_`: the normal before it was bent.
+FN Float hills_of(Vec3 smooth_, Vec3 bent) {
+    Float cosine = dot(smooth_, bent);
+    Float c2 = max(cosine * cosine, Float(1.0e-12f));
+    return min(Float(0.125f) * (Float(1.0f) - min(c2, Float(1.0f))) / c2, Float(1.0f));
+}
+
+FN Float between_hills(Float hills, Vec3 smooth_, Vec3 direction) {
+    Float cosine = dot(smooth_, direction);
+    Float c2 = max(cosine * cosine, Float(1.0e-12f));
+    Float steep = (Float(1.0f) - min(c2, Float(1.0f))) / c2;
+    return Float(2.0f) / (Float(1.0f) + sqrt(Float(1.0f) + max(hills, Float(0.0f)) * steep));
+}
+
 // The nearest normal to `shading`, towards the surface's own `normal`, under which `view` is seen from above and mirrored to above the surface: else
 // a mirror would be black there. All have length 1; `view` is above the surface.
 //

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -57,11 +58,15 @@ void set_transform(Builder& builder, Plugin& plugin, const UvTransform& uv, scen
     }
 }
 
-scene::Texture checkerboard(Builder& builder, Plugin& plugin, Role role) {
+// Where it gives numbers Mitsuba has the two the other way round.
+scene::Texture checkerboard(Builder& builder, Plugin& plugin, Role role, bool gives_numbers) {
     scene::Checker checker;
     checker.first = visible(color_or(builder, plugin, "color0", Color(0.4), role), role);
     checker.second = visible(color_or(builder, plugin, "color1", Color(0.2), role), role);
     checker.solid = false;
+    if (gives_numbers) {
+        std::swap(checker.first, checker.second);
+    }
     const UvTransform uv = uv_transform(plugin);
     const double scale = glm::length(uv.x);
     builder.honoured(plugin);
@@ -130,7 +135,7 @@ scene::Texture mesh_attribute(Builder& builder, Plugin& plugin) {
 
 }  // namespace
 
-scene::Texture texture_of(Builder& builder, const Element& element, Role role) {
+scene::Texture texture_of(Builder& builder, const Element& element, Role role, bool gives_numbers) {
     const Nesting nesting(builder, element.position);
     if (nesting.too_deep()) {
         return Color(0.0);
@@ -143,7 +148,7 @@ scene::Texture texture_of(Builder& builder, const Element& element, Role role) {
     if (plugin.type() == "bitmap") {
         texture = bitmap(builder, plugin);
     } else if (plugin.type() == "checkerboard") {
-        texture = checkerboard(builder, plugin, role);
+        texture = checkerboard(builder, plugin, role, gives_numbers);
     } else if (plugin.type() == "mesh_attribute") {
         texture = mesh_attribute(builder, plugin);
     } else {
@@ -161,7 +166,7 @@ scene::Texture texture_or(Builder& builder, Plugin& plugin, std::string_view nam
 
 scene::Value value_of(Builder& builder, const Element& element) {
     scene::Value value;
-    value.texture.emplace(texture_of(builder, element, Role::index));
+    value.texture.emplace(texture_of(builder, element, Role::index, true));
     if (const auto* color = std::get_if<scene::Color>(&*value.texture)) {
         value.number = luminance(visible(*color, Role::index));
         value.texture.reset();

@@ -9,7 +9,7 @@
 namespace lancer::mitsuba {
 
 // Of a colour or a texture.
-scene::Texture texture_of(Builder& builder, const Element& element, Role role);
+scene::Texture texture_of(Builder& builder, const Element& element, Role role, bool gives_numbers = false);
 scene::Texture texture_or(Builder& builder, Plugin& plugin, std::string_view name, const Color& preset, Role role);
 
 // A number, the same everywhere or by a texture. `preset` when it is not written.

@@ -22,15 +22,16 @@ struct BorderLoss {
 
 FN BorderLoss border_loss(IN(WorldRecord) world, IN(Closure) c, Mask mask) {
     Float eta = c.index.x;
-    Float roughness = sqrt(mean_square_roughness(facets_of(c)));
+    Facets f = facets_of(c);
+    Float roughness = sqrt(mean_square_roughness(f));
     BorderLoss loss;
-    loss.front = border_place(eta, roughness, c.beckmann);
-    loss.behind = border_place(Float(1.0f) / eta, roughness, c.beckmann);
+    loss.front = border_place(eta, roughness, f);
+    loss.behind = border_place(Float(1.0f) / eta, roughness, f);
     loss.mean_front = max(mean_albedo(world, loss.front, mask), Float(1.0e-6f));
     loss.mean_behind = max(mean_albedo(world, loss.behind, mask), Float(1.0e-6f));
     // Of light from all directions a border lets as much through as comes back from the other side; there it fills a wider cone.
     Float denser = max(eta, Float(1.0f) / eta);
-    Float passes = Float(1.0f) - mean_albedo(world, coat_place(denser, Float(0.0f), c.beckmann), mask);
+    Float passes = Float(1.0f) - mean_albedo(world, coat_place(denser, Float(0.0f), f), mask);
     passes = select(eta < Float(1.0f), passes * eta * eta, passes);
     loss.through = passes * min(Float(1.0f), loss.mean_behind / loss.mean_front);
     return loss;

@@ -24,7 +24,7 @@ FN Coat coat_of(Float eta, IN(Facets) facets, Mask rough) {
     coat.rough = rough;
     coat.eta = max(eta, Float(1.0f) / eta);
     Float roughness = select(coat.rough, sqrt(mean_square_roughness(coat.facets)), Float(0.0f));
-    coat.place = coat_place(coat.eta, roughness, facets.beckmann);
+    coat.place = coat_place(coat.eta, roughness, facets);
     return coat;
 }
 
@@ -88,8 +88,8 @@ FN BsdfValue plastic_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 w
         Float leaves = passes / (coat.eta * coat.eta);
         if (some(c.once)) {
             Float roughness = select(coat.rough, sqrt(mean_square_roughness(coat.facets)), Float(0.0f));
-            AlbedoPlace front = border_place(coat.eta, roughness, coat.facets.beckmann);
-            AlbedoPlace behind = border_place(Float(1.0f) / coat.eta, roughness, coat.facets.beckmann);
+            AlbedoPlace front = border_place(coat.eta, roughness, coat.facets);
+            AlbedoPlace behind = border_place(Float(1.0f) / coat.eta, roughness, coat.facets);
             passed_out = passed_out - select(c.once, albedo_at(world, front, cosine_of_round_facets(coat.facets, wo), good), Float(0.0f));
             passed_in = passed_in - select(c.once, albedo_at(world, front, cosine_of_round_facets(coat.facets, wi), good), Float(0.0f));
             // Light goes through the border as easily either way; what stays within is mirrored, and not lost.
