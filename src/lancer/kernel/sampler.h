@@ -23,6 +23,16 @@ const int DECISION_DIRECTION = 2;   // direction of the next ray
 const int DECISION_SURVIVAL = 3;    // Russian roulette; second: which of mixed materials
 const int DECISION_LAYERS = 65536;  // from here on, so many for each vertex: passing through a surface that is not there everywhere
 const int DECISIONS_OF_LAYERS = 256;
+const int DECISION_FLIGHT = 1 << 28;  // and so many: how far light flies through media; the second half: layers behind a null border
+const int DECISIONS_OF_FLIGHT = 1 << 18;
+const int DECISION_DIMMING = 1 << 29;  // and so many: what media leave of light that is asked for
+const int DECISIONS_OF_DIMMING = 1 << 18;
+
+// Of a path of light, which has a key of its own, before its vertices:
+const int DECISION_EMISSION = 0;        // which emitter; second: which side of it
+const int DECISION_EMISSION_PLACE = 1;  // point on it
+const int DECISION_EMISSION_WAY = 2;    // direction
+const int DECISION_EMISSION_LENS = 3;   // place on the lens that its vertices are joined to
 
 // ---- One pixel's sample in each lane. ----------------------------------------------------------------------------------------------
 

@@ -32,8 +32,13 @@ bool PathSampler::render_tile(const Tile& tile, Film& film, RayCounts& counts, c
     direct_.resize(layers.direct ? range.paths() : 0);
     first_hits_.resize(layers.first_hits() ? range.paths() : 0);
     spectra_.resize(layers.spectral_bins > 0 ? range.paths() : 0);
-    const PathSamples samples{radiance_, direct_, first_hits_, spectra_};
+    splats_.clear();
+    SplatSums* const splats = sums_.splats();
+    const PathSamples samples{radiance_, direct_, first_hits_, spectra_, splats != nullptr ? &splats_ : nullptr};
     device_.trace_paths(range, samples, counts);
+    if (splats != nullptr) {
+        splats->add(splats_, range.paths());
+    }
     const std::size_t count = static_cast<std::size_t>(pass_.sample_count);
     std::size_t next = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {

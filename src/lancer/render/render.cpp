@@ -23,6 +23,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+FilmLayers splat_layers(const Device& device) {
+    FilmLayers layers;
+    layers.splats = device.makes_splats();
+    return layers;
+}
+
 // One render: the tiles that are left, and what the threads have found so far.
 class Work {
 public:
@@ -33,7 +39,7 @@ public:
         if (options.spp > 0) {
             sums_ = sums;
             if (sums == nullptr) {
-                sums_ = &own_sums_.emplace(options.width, options.height, FilmLayers{});
+                sums_ = &own_sums_.emplace(options.width, options.height, splat_layers(device));
             }
         } else if (!options.adaptive) {
             patterns_.emplace(options.width, options.height, options.ssaa, device.lanes());
@@ -54,6 +60,12 @@ public:
             pass_ = pass;
             next_tile_ = 0;
             run_on_threads(threads, [&] { take_tiles(); });
+        }
+        if (sums_ != nullptr && sums_->splats() != nullptr) {
+            // What fell on a pixel after its own last sample.
+            for (std::size_t i = 0; i < film_.radiance.size(); ++i) {
+                film_.radiance[i] = sums_->mean(i);
+            }
         }
     }
 

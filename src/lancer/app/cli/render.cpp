@@ -21,6 +21,7 @@
 #include "lancer/base/failure.h"
 #include "lancer/image/replace_file.h"
 #include "lancer/import/import.h"
+#include "lancer/scene/integrator.h"
 
 namespace lancer::app {
 
@@ -242,12 +243,19 @@ int render_scene(const CLI::App& app, Arguments arguments) {
         return exit_bad_input;
     }
 
+    const ProgressStyle style = choose_progress(arguments.progress, arguments.quiet);
+    if (prepared->scene.settings.integrator == "auto" && scene::follows_paths(prepared->scene) && !arguments.quiet &&
+        style != ProgressStyle::json) {
+        const scene::IntegratorChoice choice = scene::choose_integrator(prepared->scene);
+        fmt::print("Light is followed by {}, because {}\n", choice.name, choice.why);
+    }
     Film film(prepared->options.width, prepared->options.height);
     std::optional<FilmSums> sums;
     if (!prepared->contents.is_plain()) {
-        sums.emplace(film.width, film.height, layers_for(prepared->contents));
+        FilmLayers layers = layers_for(prepared->contents);
+        layers.splats = prepared->device->makes_splats();
+        sums.emplace(film.width, film.height, layers);
     }
-    const ProgressStyle style = choose_progress(arguments.progress, arguments.quiet);
     RenderProgressPrinter printer(style, file);
     const std::clock_t processor_start = std::clock();
     const RenderStatistics done = render(*prepared->device, prepared->options, film, &printer, &interrupted, sums ? &*sums : nullptr);

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "lancer/app/inspect/media_oddities.h"
 #include "lancer/app/inspect/mesh_facts.h"
 #include "lancer/scene/bounds.h"
 #include "lancer/world/flatten.h"
@@ -66,10 +67,13 @@ private:
         if (const auto* principled = std::get_if<scene::PrincipledMaterial>(&material.model)) {
             return principled->transmission.most() > 0.0 && !principled->thin;
         }
+        if (const auto* burley = std::get_if<scene::BurleyMaterial>(&material.model)) {
+            return burley->transmission.most() > 0.0 && !burley->thin;
+        }
         if (const auto* whitted = std::get_if<scene::WhittedMaterial>(&material.model)) {
             return whitted->transparency > 0.0;
         }
-        return false;
+        return std::holds_alternative<scene::NullMaterial>(material.model);
     }
 
     const MeshFacts& facts(const scene::TriangleMesh& mesh) {
@@ -94,7 +98,7 @@ private:
         } else if (!facts.closed && is_clear(material_of(flat))) {
             diagnostics_.warning(
                 flat.object->position,
-                fmt::format("{} is a body of glass with holes: light that enters may never leave it", name_of(*flat.object)));
+                fmt::format("{} is a clear body with holes: light that enters may never leave it", name_of(*flat.object)));
         }
     }
 
@@ -199,6 +203,9 @@ private:
 
 }  // namespace
 
-void find_oddities(const scene::Scene& scene, Diagnostics& diagnostics) { Oddities(scene, diagnostics).find(); }
+void find_oddities(const scene::Scene& scene, Diagnostics& diagnostics) {
+    Oddities(scene, diagnostics).find();
+    find_media_oddities(scene, diagnostics);
+}
 
 }  // namespace lancer::app

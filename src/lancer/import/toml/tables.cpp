@@ -330,6 +330,8 @@ const Table& background() {
           "-z, its right half towards +x."},
          {"rotation", Kind::number, 0.0, Range{-36000.0, 36000.0}, "degrees",
           "Turns the image about the y axis, counter-clockwise as seen from above."},
+         {"axes", Kind::vectors3, none, Range{-1.0, 1.0}, "",
+          "Where x, y and z of the turned image lie: three directions of length 1, at right angles."},
          {"strength", Kind::number, 1.0, not_negative, "", "Times this."},
          {"visible", Kind::flag, true, any, "", "Whether the camera sees it, and not only what it lights (path)."}}};
     return table;
@@ -366,9 +368,11 @@ const Table& render() {
           "auto",
           any,
           "",
-          "How light is followed. auto: path where a material or a light follows physics, else whitted. direct: path with one bounce.",
+          "How light is followed. auto: path where a material or a light follows physics, else whitted. direct: path with one bounce. "
+          "light: from "
+          "the lamps. bdpt: from both ends. vcm: and photons, for what is seen through glass and lit through glass.",
           false,
-          {"auto", "whitted", "path", "direct"}},
+          {"auto", "whitted", "path", "direct", "light", "bdpt", "vcm"}},
          {"bounces", Kind::integer, none, Range{0.0, 1024.0}, "",
           "How often light goes on after the first hit; 5 for whitted (at most 24), 16 for path, 1 for direct (at most) when not written."},
          {"diffuse_bounces", Kind::integer, none, Range{0.0, 1024.0}, "",

@@ -26,7 +26,7 @@ FN BorderLoss border_loss(IN(WorldRecord) world, IN(Closure) c, Mask mask) {
     loss.mean_behind = max(mean_border_lost(world, f, Float(1.0f) / eta, mask), Float(1.0e-6f));
     // Of light from all directions a border lets as much through as comes back from the other side; there it fills a wider cone.
     Float denser = max(eta, Float(1.0f) / eta);
-    Float passes = Float(1.0f) - mean_albedo(world, coat_place(denser, Float(0.0f), c.beckmann), mask);
+    Float passes = Float(1.0f) - mean_albedo(world, coat_place(denser, Float(0.0f), f), mask);
     passes = select(eta < Float(1.0f), passes * eta * eta, passes);
     loss.through = passes * min(Float(1.0f), loss.mean_behind / loss.mean_front);
     return loss;
@@ -65,7 +65,7 @@ FN BsdfValue dielectric_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec
         density = select(good, density, Float(0.0f));
         // By several facets.
         BorderLoss loss = border_loss(world, c, rough);
-        Float lost_out = border_lost(world, f, eta, wo, rough);
+        Float lost_out = select(c.once, Float(0.0f), border_lost(world, f, eta, wo, rough));
         Float lost_in = border_lost(world, f, select(reflects, eta, Float(1.0f) / eta), wi, rough);
         lost_in = lost_in / select(reflects, loss.mean_front, loss.mean_behind);
         Float side = abs(wi.z) * Float(1.0f / PI) * select(reflects, Float(1.0f) - loss.through, loss.through);
@@ -92,7 +92,7 @@ FN BsdfSample dielectric_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, F
     if (some(rough)) {
         m = select(rough, facets_visible_normal(facets_of(c), wo, u), m);
         loss = border_loss(world, c, rough);
-        Float lost = border_lost(world, facets_of(c), eta, wo, rough);
+        Float lost = select(c.once, Float(0.0f), border_lost(world, facets_of(c), eta, wo, rough));
         several = both(rough, choice < lost);
         rest = select(
             rough, select(several, choice / max(lost, Float(SMALLEST)), (choice - lost) / max(Float(1.0f) - lost, Float(SMALLEST))), rest);

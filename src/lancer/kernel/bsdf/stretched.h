@@ -2,7 +2,7 @@
 //
 // These parts of the table (made by world/generator/make_albedo_table.cpp) have nodes at even steps of the root of the root mean square roughness, of
 // the logarithm of the ratio of the two roughnesses, of the root of the cosine, and of the direction's turn from the rougher axis. Ratios beyond 10
-// are taken for 10.
+// are taken for 10. Facets that hide one another towards either direction by itself have no such parts: they are looked up as round ones.
 #ifndef LANCER_KERNEL_BSDF_STRETCHED_H
 #define LANCER_KERNEL_BSDF_STRETCHED_H
 
@@ -21,11 +21,13 @@ struct StretchedView {
     TablePlace turn;
 };
 
+FN Int distribution_of_stretched(IN(Facets) f) { return select(f.beckmann, Int(1), Int(0)); }
+
 FN StretchedShape stretched_shape(IN(Facets) f, IN(StretchedGrid) grid, Mask mask) {
     Float most = max(f.x, f.y);
     Float ratio = most / max(min(f.x, f.y), Float(SMALLEST));
     StretchedShape shape;
-    shape.stretched = both(mask, ratio > Float(1.001f));
+    shape.stretched = without(both(mask, ratio > Float(1.001f)), f.separate);
     shape.rough = place_in_table(sqrt(sqrt(mean_square_roughness(f))), grid.roughnesses);
     shape.ratio = place_in_table(log_2(max(ratio, Float(1.0f))) * Float(0.30103f), grid.ratios);
     return shape;
@@ -85,26 +87,26 @@ FN StretchedGrid stretched_mirrors() {
     return grid;
 }
 
-// What they lose towards a direction; below, its mean over directions.
+// What they lose towards a direction, where the second lobe gives it back; below, its mean over directions.
 FN Float facet_loss(IN(WorldRecord) world, IN(Facets) f, Vec3 w, Mask mask) {
     TablePlace rough = place_in_table(sqrt(sqrt(mean_square_roughness(f))), ALBEDO_ROUGHNESSES);
     TablePlace cosine = place_in_table(sqrt(cosine_of_round_facets(f, w)), ALBEDO_COSINES);
-    Float loss = albedo_of_sheet(world, Int(ALBEDO_MIRROR) + distribution_of(f.beckmann), rough, cosine, mask);
+    Float loss = albedo_of_sheet(world, Int(ALBEDO_MIRROR) + distribution_of(f), rough, cosine, mask);
     StretchedGrid grid = stretched_mirrors();
     StretchedShape shape = stretched_shape(f, grid, mask);
     if (some(shape.stretched)) {
-        loss = max(loss + stretched_loss(world, grid, distribution_of(f.beckmann), shape, stretched_view(f, w, grid)), Float(0.0f));
+        loss = max(loss + stretched_loss(world, grid, distribution_of_stretched(f), shape, stretched_view(f, w, grid)), Float(0.0f));
     }
-    return loss;
+    return select(f.once, Float(0.0f), loss);
 }
 
 FN Float mean_facet_loss(IN(WorldRecord) world, IN(Facets) f, Mask mask) {
     TablePlace rough = place_in_table(sqrt(sqrt(mean_square_roughness(f))), ALBEDO_ROUGHNESSES);
-    Float loss = mean_of_sheet(world, Int(ALBEDO_MIRROR) + distribution_of(f.beckmann), rough, mask);
+    Float loss = mean_of_sheet(world, Int(ALBEDO_MIRROR) + distribution_of(f), rough, mask);
     StretchedGrid grid = stretched_mirrors();
     StretchedShape shape = stretched_shape(f, grid, mask);
     if (some(shape.stretched)) {
-        loss = select(shape.stretched, mean_stretched_loss(world, grid, distribution_of(f.beckmann), shape), loss);
+        loss = select(shape.stretched, mean_stretched_loss(world, grid, distribution_of_stretched(f), shape), loss);
     }
     return loss;
 }
@@ -128,19 +130,19 @@ FN TablePlace stretched_index(Float eta) {
     return place_in_table(sqrt(ratio * Float(1.0f / ALBEDO_LARGEST_RATIO)), BORDER_INDICES);
 }
 
-FN Int stretched_sheet(IN(TablePlace) index, Float eta, Mask beckmann) {
+FN Int stretched_sheet(IN(TablePlace) index, Float eta, IN(Facets) f) {
     Int side = select(eta < Float(1.0f), Int(1), Int(0));
-    return (distribution_of(beckmann) * Int(2) + side) * Int(BORDER_INDICES) + index.entry;
+    return (distribution_of_stretched(f) * Int(2) + side) * Int(BORDER_INDICES) + index.entry;
 }
 
 // What a border loses of light along w, on the side from which its relative index is eta; below, its mean over directions.
 FN Float border_lost(IN(WorldRecord) world, IN(Facets) f, Float eta, Vec3 w, Mask mask) {
-    Float loss = albedo_at(world, border_place(eta, sqrt(mean_square_roughness(f)), f.beckmann), cosine_of_round_facets(f, w), mask);
+    Float loss = albedo_at(world, border_place(eta, sqrt(mean_square_roughness(f)), f), cosine_of_round_facets(f, w), mask);
     StretchedGrid grid = stretched_borders();
     StretchedShape shape = stretched_shape(f, grid, mask);
     if (some(shape.stretched)) {
         TablePlace index = stretched_index(eta);
-        Int sheet = stretched_sheet(index, eta, f.beckmann);
+        Int sheet = stretched_sheet(index, eta, f);
         StretchedView view = stretched_view(f, w, grid);
         Float more =
             between(stretched_loss(world, grid, sheet, shape, view), stretched_loss(world, grid, sheet + Int(1), shape, view), index.part);
@@ -150,12 +152,12 @@ FN Float border_lost(IN(WorldRecord) world, IN(Facets) f, Float eta, Vec3 w, Mas
 }
 
 FN Float mean_border_lost(IN(WorldRecord) world, IN(Facets) f, Float eta, Mask mask) {
-    Float loss = mean_albedo(world, border_place(eta, sqrt(mean_square_roughness(f)), f.beckmann), mask);
+    Float loss = mean_albedo(world, border_place(eta, sqrt(mean_square_roughness(f)), f), mask);
     StretchedGrid grid = stretched_borders();
     StretchedShape shape = stretched_shape(f, grid, mask);
     if (some(shape.stretched)) {
         TablePlace index = stretched_index(eta);
-        Int sheet = stretched_sheet(index, eta, f.beckmann);
+        Int sheet = stretched_sheet(index, eta, f);
         Float mean =
             between(mean_stretched_loss(world, grid, sheet, shape), mean_stretched_loss(world, grid, sheet + Int(1), shape), index.part);
         loss = select(shape.stretched, mean, loss);
