@@ -73,7 +73,7 @@ public:
 
     void add_sky() {
         // Paths that start from lamps carry all of its light.
-        const SkyLight sky = compile_sky_shares(world_, world_.ways == kernel::WAYS_BOTH && world_.halves == 0);
+        const SkyLight sky = compile_sky_shares(world_, world_.ways == kernel::WAYS_BOTH && world_.halves == kernel::HALF_OF_CAMERA);
         if (sky.mean > 0.0) {
             kernel::EmitterRecord record = no_emitter();
             record.kind = kernel::EMITTER_ENVIRONMENT;
