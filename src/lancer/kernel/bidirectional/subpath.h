@@ -33,6 +33,7 @@ struct Subpath {
     Float start;    // largest part of the throughput where it began
     Mask single;    // has given up all wavelengths but the first
     Mask parallel;  // its density does not fall with the distance to the next vertex
+    Mask straight;  // all its vertices have been mirrors and smooth borders
 };
 
 FN Float square_of_density(Float density) { return square(min(density, Float(MOST_DENSITY))); }
@@ -199,6 +200,7 @@ FN_LARGE void scatter_subpath(IN(WorldRecord) world, int depth, bool from_light,
         sub.path.throughput = sub.path.throughput * light_correction(v, next.wi, direction, through);
     }
     sub.single = either(sub.single, both(through, v.disperses));
+    sub.straight = both(sub.straight, next.discrete);
 
     // The other ways to what comes after. Smooth surfaces have none: what they pass on can't be joined.
     Float out_2 = square(abs(rises));
@@ -250,6 +252,7 @@ FN Subpath start_from_camera(IN(WorldRecord) world, Float pixel_x, Float pixel_y
     sub.start = Float(1.0f);
     sub.single = nowhere();
     sub.parallel = is_parallel(world.camera);
+    sub.straight = all_or_none(true);
     return sub;
 }
 
@@ -330,6 +333,7 @@ FN Subpath start_from_light(IN(WorldRecord) world, UInt number, Vec4 nanometres,
     sub.start = largest(sub.path.throughput);
     sub.single = nowhere();
     sub.parallel = start.emission.far;
+    sub.straight = all_or_none(true);
     return sub;
 }
 
