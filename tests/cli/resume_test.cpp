@@ -52,7 +52,8 @@ protected:
     }
     // Kills a render with a checkpoint every few milliseconds once it has written one.
     void kill_render(const std::string& output, int signal_number) const {
-        Running running(folder_, {"render", "scene.toml", "--spp", "100000", "--checkpoint", "20ms", "-o", output, "--threads", "2"});
+        Running running(
+            folder_, {LANCER_PROGRAM, "render", "scene.toml", "--spp", "100000", "--checkpoint", "20ms", "-o", output, "--threads", "2"});
         while (running.is_alive() && !folder_.has(output + ".checkpoint-before")) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }

@@ -120,14 +120,23 @@ std::vector<std::string> differences(const Metadata& before, const Metadata& now
     return sentences;
 }
 
-FilmAbout without_shard(FilmAbout about) {
+FilmAbout about_merged(FilmAbout about, const std::vector<std::string>& outputs) {
     about.texts["film:shard"] = "1";
     about.texts["film:shards"] = "1";
-    std::vector<std::string>& words = about.lists["words"];
-    const auto found = std::find(words.begin(), words.end(), "--shard");
-    if (found != words.end() && found + 1 != words.end()) {
-        words.erase(found, found + 2);
+    about.texts["film:folder"] = std::filesystem::current_path().string();
+    std::vector<std::string> words;
+    const std::vector<std::string>& before = about.list("words");
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (before[i] == "--shard" || before[i] == "-o") {
+            ++i;
+        } else {
+            words.push_back(before[i]);
+        }
     }
+    for (const std::string& output : outputs) {
+        words.insert(words.end(), {"-o", output});
+    }
+    about.lists["words"] = words;
     return about;
 }
 

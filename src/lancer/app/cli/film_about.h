@@ -23,8 +23,8 @@ RenderOptions options_of(const FilmAbout& about, const FilmShape& shape);
 // `before` and `now` are what they say of themselves.
 std::vector<std::string> differences(const Metadata& before, const Metadata& now);
 
-// The film that stands for all its shards.
-FilmAbout without_shard(FilmAbout about);
+// Of the film that stands for all its shards, and is written there.
+FilmAbout about_merged(FilmAbout about, const std::vector<std::string>& outputs);
 
 // Where the film of a shard goes for a picture: "a/out.exr" to "a/out.2-of-8.film". A name that ends in ".film" stays.
 std::string shard_path(const std::string& picture, int shard, int shards);

@@ -159,7 +159,7 @@ int merge(const CLI::App& app, const Arguments& arguments) {
     const FilmState& state = merger.state();
     for (const std::string& path : arguments.outputs) {
         if (is_film(path)) {
-            write_film_file(path, without_shard(merger.about()), state);
+            write_film_file(path, about_merged(merger.about(), arguments.outputs), state);
         } else {
             write_film(path, state.film(), presentation, presentation.contents.is_plain() ? nullptr : state.sums());
         }

@@ -146,7 +146,7 @@ public:
         std::optional<Checkpoints> checkpoints;
         if (job_.checkpoint.value_or(1.0) > 0.0) {
             const CheckpointTimes times = job_.checkpoint ? CheckpointTimes{*job_.checkpoint, *job_.checkpoint} : CheckpointTimes{};
-            checkpoints.emplace(outputs_.first, about, state, times);
+            checkpoints.emplace(begun_ ? begun_->output : outputs_.first, about, state, times);
         }
         const ProgressStyle style = choose_progress(job_.progress, job_.quiet);
         RenderProgressPrinter printer(style, job_.files.front());

@@ -41,6 +41,7 @@ struct Begun {
     std::string name;                      // of the file that tells of it
     Metadata metadata;                     // what it says of itself; the job must say the same
     std::unique_ptr<const FilmFile> film;  // null: nothing but the above is there
+    std::string output;                    // that the checkpoints belong to
 };
 
 // Renders and writes. Returns the exit status; throws MachineFailure.

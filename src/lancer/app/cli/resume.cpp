@@ -1,4 +1,5 @@
 // lancer resume PICTURE
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include "lancer/app/cli/checkpoints.h"
 #include "lancer/app/cli/command_line.h"
+#include "lancer/app/cli/film_about.h"
 #include "lancer/app/cli/picture_words.h"
 #include "lancer/app/cli/render_job.h"
 #include "lancer/app/cli/values.h"
@@ -81,8 +83,17 @@ int resume(const CLI::App& app, const Arguments& arguments) {
         return exit_bad_input;
     }
     std::error_code ignored;
+    begun.output = std::filesystem::absolute(picture, ignored).lexically_normal().string();
     if (!folder.empty() && std::filesystem::is_directory(folder, ignored)) {
         std::filesystem::current_path(folder, ignored);  // names on that command line are seen from there
+    }
+    // What was moved stays where it is now.
+    const bool is_there = std::any_of(job->outputs.begin(), job->outputs.end(), [&](const std::string& output) {
+        const std::string path = job->shard ? shard_path(output, job->shard->shard, job->shard->shards) : output;
+        return std::filesystem::absolute(path, ignored).lexically_normal() == begun.output;
+    });
+    if (!is_there) {
+        job->outputs = {begun.output};
     }
     return run_render_job(app, std::move(*job), std::move(begun));
 }
