@@ -105,6 +105,7 @@ FN_LARGE Spectrum merge_photons(IN(WorldRecord) world, int depth, IN(BidirVertex
             Float by_camera = v.ways.meet * merging.join + v.ways.merge * square_of_density(back);
             Float weight = share / ((Float(1.0f) + by_light + by_camera) * max(abs(rises), Float(1.0e-6f)));
             Mask single = either(either(v.single, p.single), both(wi.z < Float(0.0f), v.disperses));
+            weight = weight * between_hills(v.hills, v.smooth_, p.from);
             Spectrum brought = first_alone(v.throughput * value.value * p.light * weight, single);
             found = select(good, found + brought, found);
         }

@@ -141,8 +141,10 @@ FN_LARGE void meet_vertex(IN(WorldRecord) world, int depth, bool from_light, INO
         v.error = met.surface.point.error;
         v.normal = select(inside, -met.surface.point.normal, met.surface.point.normal);
         Vec3 shading = select(inside, -met.surface.point.shading, met.surface.point.shading);
+        v.smooth_ = met.surface.smooth_;
+        v.hills = met.surface.hills;
         if (!from_light) {
-            shading = seen_normal(v.normal, shading, view);
+            shading = select(v.hills < Float(0.0f), seen_normal(v.normal, shading, view), shading);
         }
         v.frame = frame_around(shading);
         if (world.has_directions != 0) {
@@ -161,6 +163,10 @@ FN_LARGE void meet_vertex(IN(WorldRecord) world, int depth, bool from_light, INO
         v.sheet = either(thin, v.closure.thin);
         v.front = front;
         v.behind = select(v.sheet, front, beyond.first);
+        if (from_light) {
+            // What hills hide of the light is known as soon as it arrives.
+            sub.path.throughput = sub.path.throughput * between_hills(v.hills, v.smooth_, view);
+        }
         v.throughput = sub.path.throughput;
         v.single = sub.single;
         // Through the distance, and onto the surface.
@@ -198,6 +204,8 @@ FN_LARGE void scatter_subpath(IN(WorldRecord) world, int depth, bool from_light,
     Mask through = both(going, next.transmits);
     if (from_light) {
         sub.path.throughput = sub.path.throughput * light_correction(v, next.wi, direction, through);
+    } else {
+        sub.path.throughput = sub.path.throughput * between_hills(v.hills, v.smooth_, direction);
     }
     sub.single = either(sub.single, both(through, v.disperses));
     sub.straight = both(sub.straight, next.discrete);
