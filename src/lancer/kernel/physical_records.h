@@ -201,7 +201,7 @@ struct SkyRecord {
     int width;
     int height;
     float turn;  // about +y, in full turns
-    int tilted;    // 1: what the turned image takes for x, y and z are these
+    int tilted;  // 1: what the turned image takes for x, y and z are these
     vec3 x_axis;
     vec3 y_axis;
     vec3 z_axis;

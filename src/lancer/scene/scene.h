@@ -138,7 +138,7 @@ struct ConductorMaterial {
     std::string metal;                // a name that spectrum/metal.h knows; empty: n and k, or `color` alone
     Texture color = Color(Rgb(1.0));  // of a metal with an index, a tint: white in nature
     Value roughness = 0.0;
-    Value anisotropy = 0.0;                    // how much smoother along u than along v, 0 to 1
+    Value anisotropy = 0.0;                 // how much smoother along u than along v, 0 to 1
     std::optional<Index> n = std::nullopt;  // both or none
     std::optional<Index> k = std::nullopt;
     Facets facets = {};
@@ -411,9 +411,9 @@ struct Background {
     Color nadir;
     std::optional<ImageTexture> image = std::nullopt;  // its middle lies along -z, its right half towards +x, its top along +y
     double rotation = 0.0;                             // of the image about +y: degrees, counter-clockwise as seen from above
-    glm::dmat3 axes{1.0};  // where x, y and z of the turned image lie, column by column: length 1, at right angles; of either hand
-    double strength = 1.0;                             // times this
-    bool visible = true;                               // to the camera itself
+    glm::dmat3 axes{1.0};   // where x, y and z of the turned image lie, column by column: length 1, at right angles; of either hand
+    double strength = 1.0;  // times this
+    bool visible = true;    // to the camera itself
 };
 
 // ---- Camera -----------------------------------------------------------------------------------------------------------------------
@@ -469,10 +469,17 @@ struct RenderSettings {
     bool wide = false;                 // 32-bit floats in EXR files, not halves
 };
 
+// A file that the scene was read from.
+struct InputFile {
+    std::string path;  // as named, from where the program was started
+    std::string hash;  // hexadecimal, of its bytes
+};
+
 struct Scene {
-    std::string file;             // as named by the user
-    std::string hash;             // hexadecimal, over the scene file and everything it reads
-    std::vector<Camera> cameras;  // at least one
+    std::string file;               // as named by the user
+    std::string hash;               // hexadecimal, over the scene file and everything it reads
+    std::vector<InputFile> inputs;  // the scene file and everything it reads, in the order of reading
+    std::vector<Camera> cameras;    // at least one
     std::vector<Material> materials;
     std::vector<Medium> media;
     std::optional<int> medium;  // what is everywhere outside of bodies: index into `media`
