@@ -184,8 +184,6 @@ struct PrincipledMaterial {
     double dispersion = 0.0;  // of the clear body: 20 / Abbe number, as glTF has it
 };
 
-// A border with nothing to be seen of it, between one medium and another of the same refractive index, such as that of a cloud.
-struct NullMaterial {};
 // Burley's surface, after what was published of it: scenes of other programs are made for it. It is bright where PrincipledMaterial is true.
 struct BurleyMaterial {
     Texture color = Color(Rgb(0.5));
@@ -203,6 +201,9 @@ struct BurleyMaterial {
     bool thin = false;        // a sheet: no metal, no coat
     Value passes = 0.0;       // of a sheet: the share of the diffuse light that goes through, 0 to 1
 };
+
+// A border with nothing to be seen of it, between one medium and another of the same refractive index, such as that of a cloud.
+struct NullMaterial {};
 
 // Light that a surface gives by itself.
 struct Emission {
@@ -228,8 +229,8 @@ struct Relief {
 
 struct Material {
     std::string name;  // empty when written in place
-    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial, BurleyMaterial,
-                 MixMaterial, NullMaterial>
+    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial,
+                 BurleyMaterial, MixMaterial, NullMaterial>
         model;
     SourcePosition position;
     std::optional<Emission> emission = std::nullopt;

@@ -17,6 +17,8 @@ namespace {
 
 double square(double x) { return x * x; }
 
+scene::Rgb seen(const SpectralCurve& curve) { return glm::max(reflected_rgb(curve), scene::Rgb(0.0)); }
+
 class Surfaces {
 public:
     Surfaces(World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics)
@@ -334,8 +336,6 @@ private:
             look_at(world_.inputs[i].texture);
         }
     }
-
-    static scene::Rgb seen(const SpectralCurve& curve) { return glm::max(reflected_rgb(curve), scene::Rgb(0.0)); }
 
     World& world_;
     Textures& textures_;
