@@ -225,6 +225,7 @@ struct Relief {
     double scale = 1.0;                             // of x and y
     bool flips_green = false;                       // y grows downwards
     std::optional<Value> heights = std::nullopt;    // metres outwards, of which only the slopes are seen
+    bool shadows = false;                           // light that comes slantwise is dimmed as if the relief hid it from itself
 };
 
 struct Material {

@@ -253,7 +253,7 @@ private:
             record.height_input = refer(*relief.heights, kernel::INPUT_HEIGHT);
         }
         if (record.normal_map > 0 || record.height_input > 0) {
-            record.flags |= kernel::MATERIAL_RELIEF | kernel::MATERIAL_MAPPED;
+            record.flags |= kernel::MATERIAL_RELIEF | kernel::MATERIAL_MAPPED | (relief.shadows ? kernel::MATERIAL_HILLS : 0);
         }
     }
 

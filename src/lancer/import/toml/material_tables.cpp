@@ -34,6 +34,8 @@ Table physical(std::string_view type, std::string_view help, std::vector<Key> ke
         table.keys.push_back({"normal_scale", Kind::number, 1.0, Range{-100.0, 100.0}, "", "Multiplies the red and green of normal_map."});
         table.keys.push_back({"normal_flip_green", Kind::flag, false, any, "", "The map's green grows downwards, as Direct3D has it."});
         table.keys.push_back({"bump", Kind::value, 0.0, any, "m", "Heights that bend the normals as if the surface were raised by them."});
+        table.keys.push_back(
+            {"relief_shadows", Kind::flag, false, any, "", "Dims slanting light as if normal_map or bump hid it from itself."});
     }
     return table;
 }
