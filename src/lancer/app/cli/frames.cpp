@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "lancer/app/cli/checkpoints.h"
 #include "lancer/app/cli/command_line.h"
 #include "lancer/app/cli/film_about.h"
 #include "lancer/app/cli/interrupt.h"
@@ -44,15 +47,46 @@ public:
     explicit Done(const RenderJob& job) : scene_(job.files.front()) {}
 
     bool has(const RenderJob& one) {
-        FrameFacts facts{render_command(scene_, one.render), ""};
         return std::all_of(one.outputs.begin(), one.outputs.end(), [&](const std::string& output) {
-            const std::string file = one.shard ? shard_path(output, one.shard->shard, one.shard->shards) : output;
-            facts.hash = hash(one.render.import);
-            return is_frame_done(file, facts);
+            const std::string file = file_of(one, output);
+            return is_there(file) && is_frame_done(file, facts_of(one));
         });
     }
 
+    // What a frame that was stopped can go on with.
+    std::optional<Begun> begun(const RenderJob& one) {
+        const std::string file = file_of(one, one.outputs.front());
+        if (!is_there(checkpoint_path(file)) && !is_there(checkpoint_before_path(file))) {
+            return std::nullopt;
+        }
+        std::unique_ptr<const FilmFile> film = find_film(file);
+        if (film == nullptr || !says(film->about().texts, facts_of(one))) {
+            return std::nullopt;
+        }
+        Begun begun{film->path(), film->about().texts, nullptr};
+        begun.film = std::move(film);
+        return begun;
+    }
+
+    static void remove_checkpoints(const RenderJob& one) {
+        std::error_code ignored;
+        const std::string file = file_of(one, one.outputs.front());
+        std::filesystem::remove(checkpoint_path(file), ignored);
+        std::filesystem::remove(checkpoint_before_path(file), ignored);
+    }
+
 private:
+    static bool is_there(const std::string& path) {
+        std::error_code ignored;
+        return std::filesystem::exists(path, ignored);
+    }
+
+    static std::string file_of(const RenderJob& one, const std::string& output) {
+        return one.shard ? shard_path(output, one.shard->shard, one.shard->shards) : output;
+    }
+
+    FrameFacts facts_of(const RenderJob& one) { return {render_command(scene_, one.render), hash(one.render.import)}; }
+
     const std::string& hash(const ImportOptions& options) {
         if (!hash_) {
             Diagnostics ignored;  // rendering tells them
@@ -102,12 +136,12 @@ std::optional<std::string> check_frames(const RenderJob& job) {
         return fmt::format("{} {}: each frame needs a file of its own; # stands for its number, as frame.####.exr", option, path);
     };
     for (const std::string& output : job.outputs) {
-        if (!has_number_sign(output) && !job.shard) {
+        if (!has_number_sign(output) && job.frames->count() > 1) {
             return needs_number("-o", output);
         }
     }
     for (const auto& [option, file] : {std::pair("--sample-map", &job.sample_map), std::pair("--stats", &job.stats)}) {
-        if (*file && !has_number_sign(**file)) {
+        if (*file && !has_number_sign(**file) && job.frames->count() > 1) {
             return needs_number(option, **file);
         }
     }
@@ -137,10 +171,12 @@ int run_frames(const CLI::App& app, const RenderJob& job) {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         RenderJob one = job_of_frame(job, wanted[i]);
         one.part = {skipped + static_cast<int>(i), all, skipped, seconds_since(start)};
-        const int status = run_render_job(app, std::move(one));
+        std::optional<Begun> begun = done.begun(one);
+        const int status = run_render_job(app, one, std::move(begun));
         if (status != exit_done || interrupted) {
             return status;
         }
+        Done::remove_checkpoints(one);  // each as large as several pictures
     }
     if (tells && all > 1) {
         fmt::print("{} {} in {}\n", all, all == 1 ? "frame" : "frames", in_words(seconds_since(start)));

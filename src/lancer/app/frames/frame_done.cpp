@@ -29,23 +29,25 @@ Metadata texts_of(const std::string& path) {
 
 }  // namespace
 
+bool says(const Metadata& texts, const FrameFacts& facts) {
+    const auto has = [&](const char* key, const std::string& value) {
+        const auto found = texts.find(key);
+        return found != texts.end() && found->second == value;
+    };
+    return has("lancer:version", LANCER_VERSION) && has("lancer:command", facts.command) && has("lancer:hash", facts.hash);
+}
+
 bool is_frame_done(const std::string& path, const FrameFacts& facts) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) {
         return false;
     }
-    Metadata texts;
     try {
-        texts = texts_of(path);
+        const Metadata texts = texts_of(path);
+        return says(texts, facts) && !texts.contains("lancer:unfinished");
     } catch (const std::exception&) {
         return false;  // then it is made anew
     }
-    const auto says = [&](const char* key, const std::string& value) {
-        const auto found = texts.find(key);
-        return found != texts.end() && found->second == value;
-    };
-    return says("lancer:version", LANCER_VERSION) && says("lancer:command", facts.command) && says("lancer:hash", facts.hash) &&
-           !texts.contains("lancer:unfinished");
 }
 
 }  // namespace lancer::app

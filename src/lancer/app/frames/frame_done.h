@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "lancer/image/image.h"
+
 namespace lancer::app {
 
 // What a file that stands for a frame must say of itself.
@@ -11,7 +13,10 @@ struct FrameFacts {
     std::string hash;     // of the scene and all that it reads
 };
 
-// That the file is there, whole, of this version of lancer, was made by this command from these inputs, and was not stopped before its goal.
+// That what a file says of itself is this, and that it was made by this version of lancer.
+bool says(const Metadata& texts, const FrameFacts& facts);
+
+// That the file is there and whole, says this, and was not stopped before its goal.
 // Pictures of every format that is written, and films.
 bool is_frame_done(const std::string& path, const FrameFacts& facts);
 
