@@ -380,10 +380,17 @@ struct RenderSettings {
     bool wide = false;                 // 32-bit floats in EXR files, not halves
 };
 
+// A file that the scene was read from.
+struct InputFile {
+    std::string path;  // as named, from where the program was started
+    std::string hash;  // hexadecimal, of its bytes
+};
+
 struct Scene {
-    std::string file;             // as named by the user
-    std::string hash;             // hexadecimal, over the scene file and everything it reads
-    std::vector<Camera> cameras;  // at least one
+    std::string file;               // as named by the user
+    std::string hash;               // hexadecimal, over the scene file and everything it reads
+    std::vector<InputFile> inputs;  // the scene file and everything it reads, in the order of reading
+    std::vector<Camera> cameras;    // at least one
     std::vector<Material> materials;
     std::vector<Group> groups;  // a group comes after every group it places
     std::vector<Object> objects;

@@ -107,6 +107,8 @@ int run_command_line(const std::vector<std::string>& words) {
     program.add_flag("--render-all", render_all, "Write every figure of the report, made anew, into the folder figures");
     add_view(program, work);
     add_render(program, work);
+    add_resume(program, work);
+    add_merge(program, work);
     add_info(program, work);
     add_import(program, work);
     add_compare(program, work);

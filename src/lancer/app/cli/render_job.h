@@ -1,0 +1,56 @@
+// A render from the command line: what was asked for, and doing it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lancer/app/cli/render_arguments.h"
+#include "lancer/film/film_file.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace lancer::app {
+
+// `shard` of `shards` equal shares of the work, from 1 on.
+struct Shard {
+    int shard = 1;
+    int shards = 1;
+};
+
+struct RenderJob {
+    std::vector<std::string> files;  // the scene, and pictures that follow an -o
+    std::vector<std::string> outputs;
+    std::optional<std::string> sample_map;
+    std::optional<std::string> stats;
+    std::optional<std::string> progress;
+    std::optional<Shard> shard;
+    std::optional<double> checkpoint;  // seconds; 0: none
+    bool quiet = false;
+    RenderArguments render;
+};
+
+// The options of `lancer render`.
+void add_job_options(CLI::App& app, RenderJob& job);
+
+// What a job goes on with, or repeats.
+struct Begun {
+    std::string name;                      // of the file that tells of it
+    Metadata metadata;                     // what it says of itself; the job must say the same
+    std::unique_ptr<const FilmFile> film;  // null: nothing but the above is there
+    std::string output;                    // that the checkpoints belong to
+};
+
+// Renders and writes. Returns the exit status; throws MachineFailure.
+int run_render_job(const CLI::App& app, RenderJob job, std::optional<Begun> begun = std::nullopt);
+
+// The words after "lancer" that make the job again.
+std::vector<std::string> words_of(const RenderJob& job);
+
+// The job of such words; nothing where they make none. Those that come later count.
+std::optional<RenderJob> job_of_words(const std::vector<std::string>& words);
+
+}  // namespace lancer::app
