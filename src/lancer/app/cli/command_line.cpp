@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "lancer/app/cli/farm.h"
+#include "lancer/app/cli/frames.h"
 #include "lancer/app/cli/render_arguments.h"
 #include "lancer/app/cli/spelling.h"
 #include "lancer/app/exit_status.h"

@@ -25,8 +25,6 @@ void add_render(CLI::App& program, Work& work);
 void add_info(CLI::App& program, Work& work);
 void add_import(CLI::App& program, Work& work);
 void add_compare(CLI::App& program, Work& work);
-void add_movie(CLI::App& program, Work& work);
-void add_farm(CLI::App& program, Work& work);
 void add_figures(CLI::App& program, Work& work);
 void add_schema(CLI::App& program, Work& work);
 void add_bench(CLI::App& program, Work& work);

@@ -1,13 +1,16 @@
-// The parts of lancer farm.
+// lancer farm and its parts.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "lancer/app/farm/farm_job.h"
 #include "lancer/app/cli/command_line.h"
+#include "lancer/app/farm/farm_job.h"
 
 namespace lancer::app {
 
+void add_farm(CLI::App& program, Work& work);
 void add_farm_submit(CLI::App& farm, Work& work);
 void add_farm_status(CLI::App& farm, Work& work);
 

@@ -77,6 +77,7 @@ FarmJob job_of(const Arguments& arguments, std::string hash) {
     job.shards = arguments.shards.value_or(render.frames ? 1 : usual_shards);
     job.tasks = std::min(arguments.tasks.value_or(job.units()), job.units());
     job.keep_shards = arguments.keep_shards;
+    job.checkpoint = render.checkpoint.value_or(usual_checkpoint);
     for (const std::string& words : arguments.sbatch) {
         std::istringstream parts(words);
         for (std::string word; parts >> word;) {

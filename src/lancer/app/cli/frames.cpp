@@ -29,6 +29,7 @@ RenderJob job_of_frame(const RenderJob& job, int frame) {
     RenderJob one = job;
     one.frames.reset();
     one.fps.reset();
+    one.keeps_film = false;  // each is as large as several pictures
     one.render.import.frame = moment_of(frame, job.fps.value_or(usual_fps));
     for (std::string& output : one.outputs) {
         output = numbered(output, frame);
@@ -176,7 +177,7 @@ int run_frames(const CLI::App& app, const RenderJob& job) {
         if (status != exit_done || interrupted) {
             return status;
         }
-        Done::remove_checkpoints(one);  // each as large as several pictures
+        Done::remove_checkpoints(one);
     }
     if (tells && all > 1) {
         fmt::print("{} {} in {}\n", all, all == 1 ? "frame" : "frames", in_words(seconds_since(start)));

@@ -1,9 +1,10 @@
-// lancer render --frames: one picture after the other.
+// Animations: lancer render --frames, one picture after the other, and lancer movie.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "lancer/app/cli/command_line.h"
 #include "lancer/app/cli/render_job.h"
 #include "lancer/app/frames/frame_range.h"
 
@@ -12,6 +13,8 @@ class App;
 }  // namespace CLI
 
 namespace lancer::app {
+
+void add_movie(CLI::App& program, Work& work);
 
 // --frames and --fps.
 void add_frame_range(CLI::App& app, std::optional<FrameRange>& frames, const std::string& description);

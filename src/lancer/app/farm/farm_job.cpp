@@ -40,6 +40,7 @@ nlohmann::ordered_json to_json(const FarmJob& job) {
     json["shards"] = job.shards;
     json["tasks"] = job.tasks;
     json["keep_shards"] = job.keep_shards;
+    json["checkpoint"] = job.checkpoint;
     json["scheduler_options"] = job.scheduler_options;
     json["tries_left"] = job.tries_left;
     json["rounds"] = nlohmann::ordered_json::array();
@@ -68,6 +69,7 @@ FarmJob from_json(const nlohmann::json& json, const std::string& folder) {
     job.shards = json.at("shards");
     job.tasks = json.at("tasks");
     job.keep_shards = json.at("keep_shards");
+    job.checkpoint = json.at("checkpoint");
     job.scheduler_options = json.at("scheduler_options").get<std::vector<std::string>>();
     job.tries_left = json.at("tries_left");
     for (const nlohmann::json& round : json.at("rounds")) {

@@ -30,6 +30,7 @@ struct FarmRound {
 };
 
 constexpr int farm_tries = 3;
+constexpr double usual_checkpoint = 600.0;  // seconds: a thousand machines that write at once are many
 
 struct FarmJob {
     std::string folder;                // of the job, by its full path
@@ -45,6 +46,7 @@ struct FarmJob {
     int shards = 1;  // of each picture
     int tasks = 1;
     bool keep_shards = false;
+    double checkpoint = usual_checkpoint;  // seconds; 0: none
     std::vector<std::string> scheduler_options;
     std::vector<FarmRound> rounds;
     int tries_left = farm_tries;  // how often the merge may submit again what is missing

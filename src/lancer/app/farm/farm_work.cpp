@@ -85,17 +85,18 @@ int merge_picture(const FarmJob& job, int picture) {
 
 int do_unit(const FarmJob& job, int unit) {
     std::vector<std::string> words = job.render_words(unit);
-    const std::vector<std::string> machine = words_of_machine();
+    std::vector<std::string> machine = words_of_machine();
+    machine.insert(machine.end(), {"--checkpoint", job.checkpoint > 0.0 ? fmt::format("{}s", job.checkpoint) : "off", "--quiet"});
     words.insert(words.end(), machine.begin(), machine.end());
     // What a task before this one had done when it was stopped is not done again.
     if (job.shards > 1 && is_there(checkpoint_path(job.shard_file(unit)))) {
-        std::vector<std::string> resume = {"resume", job.shard_file(unit), "--quiet"};
+        std::vector<std::string> resume = {"resume", job.shard_file(unit)};
         resume.insert(resume.end(), machine.begin(), machine.end());
         if (const int status = run_words(resume); status != exit_bad_input) {
             return status;
         }
     }
-    words.insert(words.end(), {"--only-if", job.hash, "--quiet"});
+    words.insert(words.end(), {"--only-if", job.hash});
     return run_words(words);
 }
 
