@@ -50,8 +50,10 @@ protected:
         EXPECT_EQ(lancer(words).status, 0);
         return folder_.read("whole.exr");
     }
-    // Kills a render with a checkpoint every few milliseconds once it has written one.
+    // Kills a render with a checkpoint every few milliseconds once it has written two.
     void kill_render(const std::string& output, int signal_number) const {
+        std::filesystem::remove(folder_.file(output + ".checkpoint"));
+        std::filesystem::remove(folder_.file(output + ".checkpoint-before"));
         Running running(
             folder_, {LANCER_PROGRAM, "render", "scene.toml", "--spp", "100000", "--checkpoint", "20ms", "-o", output, "--threads", "2"});
         while (running.is_alive() && !folder_.has(output + ".checkpoint-before")) {
