@@ -219,10 +219,9 @@ TEST_F(Slurm, IsToldWhatToRun) {
     EXPECT_THAT(submitted.out, HasSubstr("20 shards in 6 tasks, given to Slurm: array 1, merge 2"));
     const std::string folder_name = std::filesystem::canonical(folder.path()).string();
     ASSERT_EQ(calls().size(), 2u);
-    EXPECT_THAT(calls()[0],
-                AllOf(HasSubstr("--parsable --requeue"), HasSubstr(" --array=1-6 "), HasSubstr("--chdir=" + folder_name + " "),
-                      HasSubstr("--output=" + folder_name + "/out.farm/log/%a.log"), HasSubstr("--partition=night --time=1:00"),
-                      HasSubstr("--cpus-per-task=3 "), testing::EndsWith(folder_name + "/out.farm/task.sh")));
+    EXPECT_THAT(calls()[0], AllOf(HasSubstr("--parsable --requeue"), HasSubstr(" --array=1-6 "), HasSubstr("--chdir=" + folder_name + " "),
+                                  HasSubstr("--output=" + folder_name + "/out.farm/log/%a.log"), HasSubstr("--partition=night --time=1:00"),
+                                  HasSubstr("--cpus-per-task=3 "), testing::EndsWith(folder_name + "/out.farm/task.sh")));
     EXPECT_THAT(calls()[1], AllOf(HasSubstr("--dependency=afterany:1 "), testing::EndsWith("/out.farm/merge.sh")));
     EXPECT_THAT(folder.read("out.farm/task.sh"), HasSubstr("farm work " + folder_name + "/out.farm \"$SLURM_ARRAY_TASK_ID\""));
 
@@ -300,7 +299,8 @@ TEST_F(Farm, MistakesAreExplained) {
         {{"farm", "submit", "scene.toml", "-o", "a.exr", "--stats", "s.json"}, "--stats goes with \"lancer render\""},
         {{"farm", "submit", "scene.toml", "-o", "a.exr", "--sbatch", "--time=1"}, "--sbatch goes with --slurm"},
         {{"farm", "submit", "film.gltf", "-o", "a.exr", "--frames", "1:2"}, "each frame needs a file of its own"},
-        {{"farm", "submit", "scene.toml", "-o", "a.exr", "--folder", "taken"}, "there is no manifest.json in it; name another with --folder"},
+        {{"farm", "submit", "scene.toml", "-o", "a.exr", "--folder", "taken"},
+         "there is no manifest.json in it; name another with --folder"},
         {{"farm", "submit", "scene.toml", "-o", "out.exr", "--shards", "2", "--ssaa", "3"}, "is a job with other options"},
         {{"farm", "submit", "scene.toml", "-o", "out.exr", "--slurp"}, "there is no option --slurp; did you mean \"--slurm\"?"},
         {{"farm", "status"}, "JOB is required"},

@@ -166,7 +166,8 @@ protected:
 TEST_F(Movie, HasAllFramesInTheirTime) {
     ASSERT_EQ(render({"--size", "49x33", "--frames", "5:14", "-o", "f.##.exr", "-o", "f.##.png", "--quiet"}).status, 0);
     for (const char* name : {"film.mp4", "film.mkv", "film.webm", "film.gif"}) {
-        const Finished finished = run_lancer(folder, {"movie", std::string("f.##.") + (name[5] == 'm' ? "exr" : "png"), "-o", name, "--fps", "5"});
+        const Finished finished =
+            run_lancer(folder, {"movie", std::string("f.##.") + (name[5] == 'm' ? "exr" : "png"), "-o", name, "--fps", "5"});
         EXPECT_EQ(finished.status, 0) << finished.err;
         EXPECT_THAT(finished.out, HasSubstr("written: 10 frames, 2 s at 5 a second"));
         const Finished probe = Running(folder, {"ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",

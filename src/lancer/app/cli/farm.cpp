@@ -41,8 +41,8 @@ int work_on(const CLI::App& app, const Arguments& arguments) {
         return exit_bad_input;
     }
     if (job->version != LANCER_VERSION) {
-        return refuse(fmt::format("{} was submitted by lancer {}, and this is {}: pictures are made by one version", arguments.job, job->version,
-                                  LANCER_VERSION),
+        return refuse(fmt::format("{} was submitted by lancer {}, and this is {}: pictures are made by one version", arguments.job,
+                                  job->version, LANCER_VERSION),
                       app);
     }
     std::vector<int> tasks = arguments.tasks;
@@ -69,7 +69,8 @@ int merge(const CLI::App& app, const Arguments& arguments) {
     fmt::print(stderr, "lancer farm merge: error: {} of {} {} missing: {}\n", merged.missing.size(), job->units(),
                merged.missing.size() == 1 ? "part is" : "parts are", list_units(*job, merged.missing));
     const FarmState state = look_at(*job);
-    const bool is_hopeless = std::any_of(state.failed.begin(), state.failed.end(), [](const auto& one) { return one.second == exit_bad_input; });
+    const bool is_hopeless =
+        std::any_of(state.failed.begin(), state.failed.end(), [](const auto& one) { return one.second == exit_bad_input; });
     if (!arguments.again || state.cancelled || is_hopeless || job->tries_left < 1) {
         return std::max<int>(merged.status, exit_stopped);
     }

@@ -68,8 +68,11 @@ std::string line_of(const FarmJob& job, const Status& status) {
     const double share = static_cast<double>(done) / all;
     constexpr int cells = 24;
     const int full = static_cast<int>(share * cells);
-    std::string line = fmt::format("[{:#<{}}{:-<{}}] {:3.0f} %  {} of {} {}", "", full, "", cells - full, std::floor(share * 100.0), done, all,
-                                   films ? "frames" : job.shards == 1 ? "pictures" : "shards");
+    std::string line =
+        fmt::format("[{:#<{}}{:-<{}}] {:3.0f} %  {} of {} {}", "", full, "", cells - full, std::floor(share * 100.0), done, all,
+                    films             ? "frames"
+                    : job.shards == 1 ? "pictures"
+                                      : "shards");
     if (job.frames && job.shards > 1) {
         line += fmt::format(", {} of {} frames", status.state.pictures_done, job.pictures());
     }
@@ -79,7 +82,9 @@ std::string line_of(const FarmJob& job, const Status& status) {
     if (status.running + status.waiting > 0) {
         line += fmt::format("; {} {} running, {} waiting", status.running, status.running == 1 ? "task" : "tasks", status.waiting);
     } else {
-        line += status.state.cancelled ? "; cancelled" : job.rounds.empty() ? "; no scheduler was asked" : "; nothing is running or waiting";
+        line += status.state.cancelled ? "; cancelled"
+                : job.rounds.empty()   ? "; no scheduler was asked"
+                                       : "; nothing is running or waiting";
     }
     return status.seconds_left >= 0.0 ? fmt::format("{}; about {} left", line, in_words(std::ceil(status.seconds_left))) : line;
 }

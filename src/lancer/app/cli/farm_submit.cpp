@@ -64,7 +64,8 @@ std::optional<std::string> hash_of_scene(const RenderJob& render) {
 FarmJob job_of(const Arguments& arguments, std::string hash) {
     const RenderJob& render = arguments.render;
     FarmJob job;
-    job.folder = fs::weakly_canonical(fs::absolute(arguments.folder.value_or(without_number_sign(render.outputs.front()) + ".farm"))).string();
+    job.folder =
+        fs::weakly_canonical(fs::absolute(arguments.folder.value_or(without_number_sign(render.outputs.front()) + ".farm"))).string();
     job.version = LANCER_VERSION;
     job.program = own_path();
     job.where = fs::current_path().string();
@@ -172,15 +173,18 @@ int submit(const CLI::App& app, Arguments arguments) {
     write_manifest(job);  // before the tasks, which read it
     const std::vector<int> tasks = tasks_of(job, missing);
     if (!arguments.slurm) {
-        fmt::print("{}: {} in {} tasks. On any machine that sees this folder:\n  lancer farm work {} TASK    (from 1 to {}; all of them if not given)\n"
-                   "and when they have ended:\n  lancer farm merge {}\n",
-                   shown, size_in_words(job), job.tasks, shown, job.tasks, shown);
+        fmt::print(
+            "{}: {} in {} tasks. On any machine that sees this folder:\n  lancer farm work {} TASK    (from 1 to {}; all of them if not "
+            "given)\n"
+            "and when they have ended:\n  lancer farm merge {}\n",
+            shown, size_in_words(job), job.tasks, shown, job.tasks, shown);
         return exit_done;
     }
     job.rounds.push_back(submit_to_slurm(job, tasks.empty() ? std::vector<int>{1} : tasks));
     write_manifest(job);
-    fmt::print("{}: {} in {} {}, given to Slurm: array {}, merge {}\n\"lancer farm status {}\" tells how far it is\n", shown, size_in_words(job),
-               tasks.size(), tasks.size() == 1 ? "task" : "tasks", job.rounds.back().array, job.rounds.back().merge, shown);
+    fmt::print("{}: {} in {} {}, given to Slurm: array {}, merge {}\n\"lancer farm status {}\" tells how far it is\n", shown,
+               size_in_words(job), tasks.size(), tasks.size() == 1 ? "task" : "tasks", job.rounds.back().array, job.rounds.back().merge,
+               shown);
     return exit_done;
 }
 

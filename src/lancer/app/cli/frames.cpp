@@ -113,7 +113,8 @@ void add_frame_range(CLI::App& app, std::optional<FrameRange>& frames, const std
         frames = read_frame_range(text);
         if (!frames) {
             throw CLI::ValidationError(
-                "--frames", fmt::format("expected FIRST:LAST or FIRST:LAST:STEP with whole numbers, as 0:240 or 10:100:5, not \"{}\"", text));
+                "--frames",
+                fmt::format("expected FIRST:LAST or FIRST:LAST:STEP with whole numbers, as 0:240 or 10:100:5, not \"{}\"", text));
         }
     };
     app.add_option_function<std::string>("--frames", read, description)

@@ -67,8 +67,8 @@ std::optional<std::string> expand(const std::string& pattern, const std::optiona
         pictures.push_back(numbered(pattern, frame));
     }
     return missing.empty() ? std::nullopt
-                           : std::optional(fmt::format("of the frames {} of {}, {} {} missing: {}", in_words(wanted), pattern, missing.size(),
-                                                       missing.size() == 1 ? "is" : "are", list(missing)));
+                           : std::optional(fmt::format("of the frames {} of {}, {} {} missing: {}", in_words(wanted), pattern,
+                                                       missing.size(), missing.size() == 1 ? "is" : "are", list(missing)));
 }
 
 std::optional<std::string> check(const Arguments& arguments, std::vector<std::string>& pictures) {
@@ -140,7 +140,8 @@ int movie(const CLI::App& app, const Arguments& arguments) {
 void add_movie(CLI::App& program, Work& work) {
     CLI::App* app = program.add_subcommand("movie", "Make a film of frames, with ffmpeg");
     const auto arguments = std::make_shared<Arguments>();
-    app->add_option("FRAMES", arguments->pictures, "The pictures: one name with # for the number, as frame.####.exr, or all of them in order")
+    app->add_option("FRAMES", arguments->pictures,
+                    "The pictures: one name with # for the number, as frame.####.exr, or all of them in order")
         ->type_name("");
     add_text(*app, "-o,--output", arguments->output, "FILE", "Where the film goes: .mp4 .mkv .mov .webm or .gif");
     add_frame_range(*app, arguments->frames, "Which frames; those that are there if not given");

@@ -128,7 +128,8 @@ public:
         }
         const ProgressStyle style = choose_progress(job_.progress, job_.quiet);
         RenderProgressPrinter printer(style, job_.files.front());
-        const RenderStatistics done = render(*prepared_->device, prepared_->options, state, &printer, &interrupted);
+        FrameProgress progress(printer, job_.part);
+        const RenderStatistics done = render(*prepared_->device, prepared_->options, state, &progress, &interrupted);
         printer.clear();
         times_.render = done.seconds;
         report_bad_samples(done.bad_samples, *prepared_->world);

@@ -36,7 +36,7 @@ struct RenderJob {
     std::optional<std::string> only_if;  // the hash that the scene must have
     FramePart part;                      // of more than this picture
     bool keeps_film = true;              // beside a picture that took long, for more samples later
-    std::optional<double> checkpoint;  // seconds; 0: none
+    std::optional<double> checkpoint;    // seconds; 0: none
     bool quiet = false;
     RenderArguments render;
 };

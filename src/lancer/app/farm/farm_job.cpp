@@ -32,8 +32,9 @@ std::unordered_set<std::string> names_in(const std::string& folder) {
 std::string name_of(const std::string& path) { return fs::path(path).filename().string(); }
 
 nlohmann::ordered_json to_json(const FarmJob& job) {
-    nlohmann::ordered_json json = {{"format", manifest_format}, {"lancer", job.version}, {"program", job.program}, {"folder", job.where},
-                                   {"scene", job.scene},        {"hash", job.hash},      {"options", job.options}, {"outputs", job.outputs}};
+    nlohmann::ordered_json json = {{"format", manifest_format}, {"lancer", job.version}, {"program", job.program},
+                                   {"folder", job.where},       {"scene", job.scene},    {"hash", job.hash},
+                                   {"options", job.options},    {"outputs", job.outputs}};
     if (job.frames) {
         json["frames"] = {{"first", job.frames->first}, {"last", job.frames->last}, {"step", job.frames->step}, {"fps", job.fps}};
     }
@@ -149,15 +150,15 @@ std::vector<std::string> FarmJob::merge_words(int picture, const std::vector<std
 std::optional<std::string> FarmJob::difference(const FarmJob& other) const {
     const auto differs = [](const char* what) { return std::optional<std::string>(what); };
     const auto range = [](const FarmJob& job) { return job.frames ? in_words(*job.frames) + fmt::format(" {}", job.fps) : ""; };
-    return version != other.version    ? differs("another version of lancer")
-           : where != other.where      ? differs("another folder that it was submitted from")
-           : scene != other.scene      ? differs("another scene")
-           : hash != other.hash        ? differs("a scene, or files that it reads, that have changed")
-           : options != other.options  ? differs("other options")
-           : outputs != other.outputs  ? differs("other files after -o")
+    return version != other.version       ? differs("another version of lancer")
+           : where != other.where         ? differs("another folder that it was submitted from")
+           : scene != other.scene         ? differs("another scene")
+           : hash != other.hash           ? differs("a scene, or files that it reads, that have changed")
+           : options != other.options     ? differs("other options")
+           : outputs != other.outputs     ? differs("other files after -o")
            : range(*this) != range(other) ? differs("other frames")
-           : shards != other.shards    ? differs("another number of shards")
-                                       : std::nullopt;
+           : shards != other.shards       ? differs("another number of shards")
+                                          : std::nullopt;
 }
 
 std::optional<FarmJob> read_farm_job(const std::string& folder, std::string& sentence) {

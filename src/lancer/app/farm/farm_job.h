@@ -33,10 +33,10 @@ constexpr int farm_tries = 3;
 constexpr double usual_checkpoint = 600.0;  // seconds: a thousand machines that write at once are many
 
 struct FarmJob {
-    std::string folder;                // of the job, by its full path
-    std::string version;               // of lancer
-    std::string program;               // the lancer that works, by its full path
-    std::string where;                 // the folder that names on the command line are seen from
+    std::string folder;   // of the job, by its full path
+    std::string version;  // of lancer
+    std::string program;  // the lancer that works, by its full path
+    std::string where;    // the folder that names on the command line are seen from
     std::string scene;
     std::string hash;                  // of the scene and all that it reads
     std::vector<std::string> options;  // of lancer render
@@ -88,8 +88,8 @@ void make_farm_folder(const FarmJob& job);
 
 // What is there, by reading two folders, however many units there are.
 struct FarmState {
-    std::vector<bool> pictures;       // done
-    std::vector<bool> units;          // done, or part of a picture that is
+    std::vector<bool> pictures;               // done
+    std::vector<bool> units;                  // done, or part of a picture that is
     std::vector<std::pair<int, int>> failed;  // unit, exit status
     int units_done = 0;
     int pictures_done = 0;

@@ -96,7 +96,8 @@ std::string as_ranges(const std::vector<int>& tasks) {
 
 FarmRound submit_to_slurm(const FarmJob& job, const std::vector<int>& tasks) {
     const std::string name = "lancer-" + std::filesystem::path(job.folder).stem().string();
-    const std::string task = write_script(job, "task.sh", "exec " + shell_quoted({job.program, "farm", "work", job.folder}) + " \"$SLURM_ARRAY_TASK_ID\"");
+    const std::string task =
+        write_script(job, "task.sh", "exec " + shell_quoted({job.program, "farm", "work", job.folder}) + " \"$SLURM_ARRAY_TASK_ID\"");
     const std::string merge = write_script(job, "merge.sh", "exec " + shell_quoted({job.program, "farm", "merge", job.folder, "--again"}));
     FarmRound round;
     round.array = submit(job, task, "%a", name, {"--array=" + as_ranges(tasks)});

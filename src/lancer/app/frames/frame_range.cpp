@@ -58,8 +58,7 @@ std::optional<FrameRange> read_frame_range(const std::string& text) {
 }
 
 std::string in_words(const FrameRange& range) {
-    return range.step == 1 ? fmt::format("{}:{}", range.first, range.last)
-                           : fmt::format("{}:{}:{}", range.first, range.last, range.step);
+    return range.step == 1 ? fmt::format("{}:{}", range.first, range.last) : fmt::format("{}:{}:{}", range.first, range.last, range.step);
 }
 
 double moment_of(int frame, double fps) { return static_cast<double>(frame) / fps; }

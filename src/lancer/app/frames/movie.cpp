@@ -69,10 +69,21 @@ ViewTransform view_of(const MovieRequest& request, const LayeredImage& first) {
 }
 
 std::vector<std::string> words_for(const std::string& path, const MovieRequest& request, int width, int height) {
-    std::vector<std::string> words = {"ffmpeg", "-hide_banner", "-loglevel",  "error",      "-y",
-                                      "-f",     "rawvideo",     "-pix_fmt",   "rgb24",      "-video_size",
-                                      fmt::format("{}x{}", width, height),    "-framerate", fmt::format("{}", request.fps),
-                                      "-i",     "-"};
+    std::vector<std::string> words = {"ffmpeg",
+                                      "-hide_banner",
+                                      "-loglevel",
+                                      "error",
+                                      "-y",
+                                      "-f",
+                                      "rawvideo",
+                                      "-pix_fmt",
+                                      "rgb24",
+                                      "-video_size",
+                                      fmt::format("{}x{}", width, height),
+                                      "-framerate",
+                                      fmt::format("{}", request.fps),
+                                      "-i",
+                                      "-"};
     const auto add = [&](std::initializer_list<const char*> more) { words.insert(words.end(), more.begin(), more.end()); };
     const std::string ending = file_ending(path);
     if (ending == ".gif") {
@@ -113,7 +124,8 @@ bool make_movie(const MovieRequest& request, const std::function<void(int)>& tel
         const LayeredImage picture = read_layers(path);
         if (!ffmpeg) {
             view = view_of(request, picture);
-            frame = {picture.width, picture.height, 3, std::vector<std::uint8_t>(3 * static_cast<std::size_t>(picture.width * picture.height))};
+            frame = {picture.width, picture.height, 3,
+                     std::vector<std::uint8_t>(3 * static_cast<std::size_t>(picture.width * picture.height))};
             ffmpeg.emplace(words_for(file.path(), request, picture.width, picture.height));
         } else if (picture.width != frame.width || picture.height != frame.height) {
             throw std::runtime_error(fmt::format("{} is {}x{}, and the frames before it are {}x{}", path, picture.width, picture.height,
