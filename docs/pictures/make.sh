@@ -93,3 +93,14 @@ aov indirect indirect.R,indirect.G,indirect.B --mulc 2 "${encoded[@]}"
 [ ${#wanted[@]} -gt 0 ] && [[ " ${wanted[*]} " != *" pbrt "* ]] ||
     "$lancer" render scenes/pbrt/still-life.pbrt -o docs/pictures/pbrt.png --size 640x360 --progress plain 2>/dev/null
 picture gltf gltf/still-life.glb --size 480x320 --spp 96
+# film NAME SCENE FRAMES COLUMNSxROWS [OPTION...]: frames of an animation, side by side
+film() {
+    [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " == *" $1 "* ]] || return 0
+    local name=$1 scene=$2 frames=$3 grid=$4 folder
+    shift 4
+    folder=$(mktemp -d)
+    "$lancer" render "scenes/$scene" --frames "$frames" -o "$folder/f.####.png" --quiet "$@"
+    ffmpeg -v error -y -pattern_type glob -i "$folder/f.*.png" -vf "tile=$grid" "docs/pictures/$name.png"
+    rm -r "$folder"
+}
+film carousel gltf/carousel.gltf 0:84:12 4x2 --size 240x135 --spp 192

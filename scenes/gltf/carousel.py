@@ -96,7 +96,7 @@ materials = [
     paint("lamp", (0, 0, 0), 1, emissiveFactor=[1, 0.82, 0.62], extensions={"KHR_materials_emissive_strength": {"emissiveStrength": 14}}),
 ]
 sphere, cylinder = ball(), drum()
-floor = node(name="floor", mesh=mesh(shape([(-40, 0, 40), (40, 0, 40), (40, 0, -40), (-40, 0, -40)], [(0, 1, 0)] * 4, [(0, 1, 2), (0, 2, 3)]), 0))
+floor = node(name="floor", mesh=mesh(shape([(-9, 0, 9), (9, 0, 9), (9, 0, -9), (-9, 0, -9)], [(0, 1, 0)] * 4, [(0, 1, 2), (0, 2, 3)]), 0))
 disc = node(name="disc", mesh=mesh(cylinder, 1), translation=[0, 0.12, 0], scale=[2.5, 0.14, 2.5])
 pole = node(name="pole", mesh=mesh(cylinder, 2), translation=[0, 0.26, 0], scale=[0.14, 2.1, 0.14])
 top = node(name="lamp", mesh=mesh(sphere, 5), translation=[0, 2.62, 0], scale=[0.42, 0.42, 0.42])

@@ -64,7 +64,10 @@ public:
         if (film == nullptr || !says(film->about().texts, facts_of(one))) {
             return std::nullopt;
         }
-        Begun begun{film->path(), film->about().texts, nullptr};
+        Begun begun;
+        begun.name = film->path();
+        begun.metadata = film->about().texts;
+        begun.output = file;
         begun.film = std::move(film);
         return begun;
     }
