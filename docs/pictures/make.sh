@@ -104,3 +104,14 @@ picture wine-glass gallery/wine-glass --size 480x480
 picture same-seconds-path features/both-ends --integrator path --size 400x300 --spp 96
 picture same-seconds-bdpt features/both-ends --integrator bdpt --size 400x300 --spp 24
 picture same-seconds-vcm features/both-ends --integrator vcm --size 400x300 --spp 18
+# film NAME SCENE FRAMES COLUMNSxROWS [OPTION...]: frames of an animation, side by side
+film() {
+    [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " == *" $1 "* ]] || return 0
+    local name=$1 scene=$2 frames=$3 grid=$4 folder
+    shift 4
+    folder=$(mktemp -d)
+    "$lancer" render "scenes/$scene" --frames "$frames" -o "$folder/f.####.png" --quiet "$@"
+    ffmpeg -v error -y -pattern_type glob -i "$folder/f.*.png" -vf "tile=$grid" "docs/pictures/$name.png"
+    rm -r "$folder"
+}
+film carousel gltf/carousel.gltf 0:84:12 4x2 --size 240x135 --spp 192
