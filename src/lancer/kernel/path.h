@@ -56,8 +56,7 @@ FN PathState start_path(IN(WorldRecord) world, Float pixel_x, Float pixel_y, UIn
     path.radiance = black();
     path.nanometres = vec4_all(Float(D_LINE));
     if (world.spectral != 0) {
-        Vec2 u = sample_pair(path.numbers, UInt(uint(DECISION_WAVELENGTH)));
-        path.nanometres = wavelengths_at(world, u.x, alive);
+        path.nanometres = wavelengths_at(world, quartered_number(path.numbers, sample_number, UInt(uint(DECISION_WAVELENGTH))), alive);
     }
     path.facing = vec3_all(Float(0.0f));
     path.density = Float(0.0f);

@@ -189,6 +189,7 @@ const int SKY_NONE = 0;
 const int SKY_EVEN = 1;      // `horizon` everywhere
 const int SKY_GRADIENT = 2;  // from below to above
 const int SKY_IMAGE = 3;
+const int SKY_KINDS = 4;
 
 // Where no object is. An image is `scale` times sky_texels, `height` rows of `width`, under the illuminant of `horizon`.
 struct SkyRecord {
@@ -219,6 +220,14 @@ struct PathLimits {
     int transmission;
 };
 
+// Which ends of paths are followed.
+const int HALF_OF_CAMERA = 0;
+const int HALF_OF_LIGHT = 1;
+const int HALVES_JOINED = 2;  // both, each vertex of one joined to each of the other
+const int HALVES_MERGED = 3;  // and vertices of the camera's merged with photons
+
+const int PHOTON_PATHS = 65536;  // of light, for each sample of all pixels, see bidirectional/merge.h
+
 // Which of the two ways to a lamp's light are gone.
 const int WAYS_BOTH = 0;
 const int WAYS_EMITTER = 1;  // lamps are asked; what could have been asked and is met by itself does not count
@@ -227,10 +236,12 @@ const int WAYS_BSDF = 2;     // lamps are met
 // One coordinate of a pixel's filter, to be drawn from: `filter_places` holds FILTER_STEPS + 1 places, in pixels from the pixel's middle, at even
 // steps of to_even_ends(share of the filter's absolute value): the ends hardly count, and have a shape of their own.
 const int FILTER_STEPS = 4096;
+const int FILTER_VALUES = 1024;  // `filter_values` holds one more, from the middle to the radius; their integral over both sides is 1
 
 struct FilterRecord {
     float negative_from;  // the filter is negative farther from the middle than this; FAR where it is not
     float weight;         // of a sample: the integral of the absolute value over that of the filter itself
+    float radius;         // beyond it the filter is 0; pixels
 };
 
 RECORDS_END

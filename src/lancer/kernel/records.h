@@ -275,12 +275,15 @@ struct WorldRecord {
     FloatTable albedo;                // what rough surfaces reflect, see bsdf/albedo.h
     FloatTable filter_places;         // see FilterRecord
     Vec3Table observer;               // linear RGB of one unit at each nanometre
-    FloatTable wavelength_places;     // nanometres at the edges of the slots, see spectrum.h
+    IntTable wavelength_slots;        // the nanometre in which each begins, see spectrum.h
+    FloatTable wavelength_edges;      // of the random number, between the nanometres
     FloatTable wavelength_densities;  // with which each nanometre is drawn
     LightTable lights;
     BandTable bands;
-    IntTable tree;       // the device's own search tree, opaque; null where every object is tested against every ray
-    FloatTable bound_x;  // a sphere around each object of a small world, coordinate by coordinate; planes have an infinite radius
+    IntTable light_vertices;   // the device's own, opaque: see bidirectional/vertex.h
+    FloatTable filter_values;  // of the pixel's filter, see filter_value
+    IntTable tree;             // the device's own search tree, opaque; null where every object is tested against every ray
+    FloatTable bound_x;        // a sphere around each object of a small world, coordinate by coordinate; planes have an infinite radius
     FloatTable bound_y;
     FloatTable bound_z;
     FloatTable bound_radius;
@@ -295,11 +298,15 @@ struct WorldRecord {
     int emitter_count;
     int chosen_by_strength;  // 1: too many emitters to look at each; chosen by `strength` alone
     int environment;         // the emitter that is the sky, -1: none
-    int spectral;            // 0: linear RGB
-    int watched;             // 1: a path's steps tell what they meet
-    int max_depth;           // vertices of a path after the camera, at most
+    int first_emission;      // into distributions: cumulative shares of the emitters' power
+    vec3 scene_middle;       // of a sphere around all that is not infinite
+    float scene_radius;
+    int spectral;   // 0: linear RGB
+    int watched;    // 1: a path's steps tell what they meet
+    int max_depth;  // vertices of a path after the camera, at most
     PathLimits limits;
-    int ways;  // WAYS_*
+    int ways;    // WAYS_*
+    int halves;  // HALF_* or HALVES_*: which ends paths are followed from
     FilterRecord filter_record;
     int seed;
     int band_count;

@@ -181,6 +181,7 @@ struct PrincipledMaterial {
     Value sheen_roughness = 0.3;
     Value film = 0.0;  // thickness in nanometres of a thin film; 0: none
     double film_refraction = 1.3;
+    double dispersion = 0.0;  // of the clear body: 20 / Abbe number, as glTF has it
 };
 
 // Burley's surface, after what was published of it: scenes of other programs are made for it. It is bright where PrincipledMaterial is true.
@@ -224,6 +225,7 @@ struct Relief {
     double scale = 1.0;                             // of x and y
     bool flips_green = false;                       // y grows downwards
     std::optional<Value> heights = std::nullopt;    // metres outwards, of which only the slopes are seen
+    bool shadows = false;                           // light that comes slantwise is dimmed as if the relief hid it from itself
 };
 
 struct Material {

@@ -72,7 +72,11 @@ private:
 
     void add(const scene::PrincipledMaterial& material, const SourcePosition& position) {
         kernel::MediumRecord medium{};
-        set_refraction(material.refraction, medium, position);
+        if (material.dispersion > 0.0) {
+            set_refraction(scene::AbbeGlass{material.refraction, 20.0 / material.dispersion}, medium, position);
+        } else {
+            set_refraction(material.refraction, medium, position);
+        }
         world_.has_transparency = world_.has_transparency || material.transmission.most() > 0.0;
         world_.materials.push_back(no_material());
         world_.media.push_back(medium);

@@ -211,7 +211,8 @@ private:
         record.specular_tint = static_cast<float>(material.specular_tint);
         record.flatness = static_cast<float>(material.flatness);
         record.brightness = static_cast<float>(glm::dot(reflected(color.color), scene::Rgb(0.2126, 0.7152, 0.0722)));
-        record.flags |= material.thin ? kernel::MATERIAL_THIN : 0;
+        const bool clear = material.transmission.number >= 1.0 && !material.transmission.texture && !(material.metalness.most() > 0.0);
+        record.flags |= material.thin ? kernel::MATERIAL_THIN : clear ? kernel::MATERIAL_BODY : 0;
     }
 
     void set(const scene::MixMaterial& material, kernel::MaterialRecord& record) {
@@ -252,7 +253,7 @@ private:
             record.height_input = refer(*relief.heights, kernel::INPUT_HEIGHT);
         }
         if (record.normal_map > 0 || record.height_input > 0) {
-            record.flags |= kernel::MATERIAL_RELIEF | kernel::MATERIAL_MAPPED;
+            record.flags |= kernel::MATERIAL_RELIEF | kernel::MATERIAL_MAPPED | (relief.shadows ? kernel::MATERIAL_HILLS : 0);
         }
     }
 

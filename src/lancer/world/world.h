@@ -53,8 +53,10 @@ public:
     std::vector<float> distributions;
     std::vector<float> curves;
     std::vector<float> filter_places;
+    std::vector<float> filter_values;
     std::vector<kernel::vec3> observer;
-    std::vector<float> wavelength_places;
+    std::vector<int> wavelength_slots;
+    std::vector<float> wavelength_edges;
     std::vector<float> wavelength_densities;
     std::vector<kernel::LightRecord> lights;
     std::vector<kernel::BandRecord> bands;
@@ -81,9 +83,13 @@ public:
     bool spectral = false;
     bool chosen_by_strength = false;
     int environment = -1;
+    int first_emission = 0;
+    kernel::vec3 scene_middle{0.0f};
+    float scene_radius = 0.0f;
     int max_depth = 0;
     kernel::PathLimits limits{};
     int ways = kernel::WAYS_BOTH;
+    int halves = kernel::HALF_OF_CAMERA;
     int seed = 0;
     int bounces = 0;
     float min_weight = 0.0f;

@@ -106,7 +106,6 @@ std::vector<FigureGroup> make_table() {
           physical("mapping", "Pictures and checkers on surfaces, averaged over what a pixel sees."),
           physical("masks", "Cut-out surfaces."), physical("mixes", "Two materials in one."),
           physical("bumps", "Normals bent by pictures and heights."), physical("vertex-colors", "Colours that meshes bring along."),
-          physical("metamers", "Two greys under three lamps."),
           physical("principled", "One layered material: lacquer, brushed metal, velvet, tinted glass, a film of oxide.")}},
         {"Light that follows physics: lamps and lenses",
          "",
@@ -131,6 +130,14 @@ std::vector<FigureGroup> make_table() {
           physical_gallery("flacon", "Thick glass and gold under an afternoon sky.", square_and_quick),
           physical_gallery("daylight-room", "All light comes through one window.", small_and_quick),
           physical_gallery("still-life", "What lies on surfaces: wood, a globe, worn paint, studs, tiles, a leaf.", small_and_quick)}},
+        {"Light from the lamps",
+         "Paths from both ends, and photons: what glass and mirrors throw.",
+         {Figure{"rainbow", "A white beam, a prism, a wall.", "scenes/gallery/prism.toml", small_and_quick},
+          physical_gallery("ring", "Two curves of light that meet in a cusp.", small_and_quick),
+          physical_gallery("diamond-fire", "Each way through a brilliant ends as a small spectrum.", small_and_quick),
+          physical_gallery("pool", "The bottom of a pool in the sun.", {"--size", "480x270", "--spp", "16"}),
+          physical_gallery("wine-glass", "What a glass of wine throws on the table.", {"--size", "360x360", "--spp", "16"}),
+          physical("both-ends", "A lamp in a shade, and one whose light goes through a glass ball.")}},
     };
 }
 

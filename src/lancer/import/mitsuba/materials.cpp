@@ -88,6 +88,8 @@ scene::Material bump(Builder& builder, Plugin& plugin) {
         heights.scale *= scale;
         material.relief.heights = heights;
     }
+    material.relief.shadows = plugin.flag("use_shadowing_function", true);
+    plugin.ignore("flip_invalid_normals");
     builder.honoured(plugin);
     return material;
 }
@@ -97,8 +99,8 @@ scene::Material normal_map(Builder& builder, Plugin& plugin) {
     if (const Element* texture = only_texture(builder, plugin)) {
         material.relief.normals = texture_of(builder, *texture, Role::index);
     }
+    material.relief.shadows = plugin.flag("use_shadowing_function", true);
     plugin.ignore("flip_invalid_normals");
-    plugin.ignore("use_shadowing_function");
     builder.honoured(plugin);
     return material;
 }

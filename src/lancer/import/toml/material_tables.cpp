@@ -34,6 +34,8 @@ Table physical(std::string_view type, std::string_view help, std::vector<Key> ke
         table.keys.push_back({"normal_scale", Kind::number, 1.0, Range{-100.0, 100.0}, "", "Multiplies the red and green of normal_map."});
         table.keys.push_back({"normal_flip_green", Kind::flag, false, any, "", "The map's green grows downwards, as Direct3D has it."});
         table.keys.push_back({"bump", Kind::value, 0.0, any, "m", "Heights that bend the normals as if the surface were raised by them."});
+        table.keys.push_back(
+            {"relief_shadows", Kind::flag, false, any, "", "Dims slanting light as if normal_map or bump hid it from itself."});
     }
     return table;
 }
@@ -155,6 +157,7 @@ const Table& principled_material() {
          {"sheen_roughness", Kind::value, 0.3, share, "", "Of the fibres."},
          {"film", Kind::value, 0.0, Range{0.0, 10000.0}, "nm", "The thickness of a film that shimmers in colours; 0 for none."},
          {"film_refraction", Kind::number, 1.3, Range{1.0, 3.0}, "", "The refractive index of the film."},
+         {"dispersion", Kind::number, 0.0, Range{0.0, 10.0}, "", "How far the clear body parts the colours: 20 over its Abbe number, as in glTF."},
          interior,
          priority});
     return table;

@@ -202,6 +202,7 @@ scene::PrincipledMaterial read_principled(Context& context, TableReader& reader)
     model.sheen_roughness = read_value(context, reader, "sheen_roughness");
     model.film = read_value(context, reader, "film");
     model.film_refraction = reader.number("film_refraction");
+    model.dispersion = reader.number("dispersion");
     return model;
 }
 
@@ -241,6 +242,10 @@ scene::Relief read_relief(Context& context, TableReader& reader) {
     }
     if (reader.has("bump")) {
         relief.heights = read_value(context, reader, "bump");
+    }
+    relief.shadows = reader.flag("relief_shadows");
+    if (relief.shadows && !relief.normals && !relief.heights) {
+        reader.error("relief_shadows", "\"relief_shadows\" needs \"normal_map\" or \"bump\" beside it");
     }
     return relief;
 }
