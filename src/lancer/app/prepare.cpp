@@ -8,6 +8,7 @@
 
 #include "lancer/app/cli/spelling.h"
 #include "lancer/device/cpu/cpu.h"
+#include "lancer/scene/integrator.h"
 #include "lancer/world/compile.h"
 
 namespace lancer::app {
@@ -127,7 +128,9 @@ PictureContents contents_of(const scene::Scene& scene, Diagnostics& diagnostics)
     }
     contents.spectral_bins = scene.settings.spectral_bins;
     contents.wide = scene.settings.wide;
-    if (scene::chosen_integrator(scene) != "path" && (!contents.aovs.empty() || contents.spectral_bins > 0)) {
+    if (scene::starts_at_lamps(scene::chosen_integrator(scene)) && (!contents.aovs.empty() || contents.spectral_bins > 0)) {
+        diagnostics.error({}, "--aov and --spectral-bins are for paths from the camera: --integrator path has them");
+    } else if (scene::chosen_integrator(scene) != "path" && (!contents.aovs.empty() || contents.spectral_bins > 0)) {
         diagnostics.error(
             {},
             "--aov and --spectral-bins are for the path integrator, but this scene is rendered by Whitted's; --integrator path "

@@ -51,6 +51,9 @@ FilmSums::FilmSums(int width, int height, const FilmLayers& layers) : width_(wid
     surfaces_.resize(layers.surface ? pixels : 0);
     objects_.resize(layers.ids ? pixels : 0);
     materials_.resize(layers.ids ? pixels : 0);
+    if (layers.splats) {
+        splats_ = std::make_unique<SplatSums>(width, height);
+    }
     bins_.resize(pixels * static_cast<std::size_t>(layers.spectral_bins));
 }
 
@@ -156,7 +159,8 @@ void FilmSums::add_bins(std::size_t pixel, const SpectralSample& sample) {
 }
 
 glm::vec3 FilmSums::mean(std::size_t pixel) const {
-    return counts_[pixel] > 0 ? glm::vec3(sums_[pixel] / static_cast<double>(counts_[pixel])) : glm::vec3(0.0f);
+    const glm::dvec3 own = counts_[pixel] > 0 ? sums_[pixel] / static_cast<double>(counts_[pixel]) : glm::dvec3(0.0);
+    return glm::vec3(splats_ ? own + splats_->mean(pixel) : own);
 }
 
 glm::vec3 FilmSums::variance(std::size_t pixel) const {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct FilmLayers {
     bool surface = false;  // what is seen first: albedo, normal, depth, position, uv
     bool ids = false;      // of objects and materials
     int spectral_bins = 0;
+    bool splats = false;  // light that falls anywhere
 
     bool first_hits() const { return surface || ids; }
     bool operator==(const FilmLayers&) const = default;
@@ -52,7 +54,9 @@ public:
     void add(std::size_t pixel, const PathSamples& samples);
 
     std::uint32_t count(std::size_t pixel) const { return counts_[pixel]; }  // of the samples in the sums
-    glm::vec3 mean(std::size_t pixel) const;                                 // 0 where there is none
+    // Splats included; these may come from anywhere, so that a pixel is finished when all are. 0 where there is none.
+    glm::vec3 mean(std::size_t pixel) const;
+    SplatSums* splats() const { return splats_.get(); }  // null where the layers have none
 
     // Of the mean, by colour: the spread of the samples over their count. Unbiased for independent samples; evenly spread ones, as Owen-scrambled
     // Sobol points are, do better than it says [Owen 1997]. Infinite where there are fewer than two samples.
@@ -85,6 +89,7 @@ private:
     std::vector<SurfaceSums> surfaces_;
     std::vector<IdCounts> objects_;
     std::vector<IdCounts> materials_;
+    std::unique_ptr<SplatSums> splats_;
     std::vector<double> bins_;  // spectral_bins for each pixel
 };
 

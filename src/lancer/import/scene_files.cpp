@@ -90,6 +90,11 @@ std::optional<SpectralCurve> SceneFiles::curve(const std::string& path, const So
     return found->second;
 }
 
+std::optional<VoxelFile> SceneFiles::voxels(const std::string& path, const VoxelWords& words, const SourcePosition& named_at) {
+    const auto bytes = open(path, named_at);
+    return bytes ? read_voxels(bytes->view(), path, words, named_at, diagnostics_) : std::nullopt;
+}
+
 std::string SceneFiles::hash() const {
     return to_hexadecimal(hash_bytes({reinterpret_cast<const char*>(hashes_.data()), hashes_.size() * sizeof(Hash)}));
 }

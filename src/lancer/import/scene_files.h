@@ -12,6 +12,7 @@
 #include "lancer/base/file.h"
 #include "lancer/base/hash.h"
 #include "lancer/import/import.h"
+#include "lancer/import/volume/voxel_file.h"
 #include "lancer/scene/scene.h"
 #include "lancer/spectrum/curve.h"
 
@@ -36,6 +37,9 @@ public:
 
     // A measured curve of one value a wavelength, with the same value beyond its ends. Nothing when it can't be read, as above.
     std::optional<SpectralCurve> curve(const std::string& path, const SourcePosition& named_at);
+
+    // A grid of numbers, by the file's ending: .vdb, .vol or .raw. Nothing when it can't be read, as above.
+    std::optional<VoxelFile> voxels(const std::string& path, const VoxelWords& words, const SourcePosition& named_at);
 
     // Of everything so far, in the order of reading; hexadecimal.
     std::string hash() const;

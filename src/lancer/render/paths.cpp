@@ -24,13 +24,17 @@ void PathTracer::trace(const PathRange& range, RayCounts& counts) {
     direct_.resize(layers_.direct ? range.paths() : 0);
     first_hits_.resize(layers_.first_hits() ? range.paths() : 0);
     spectra_.resize(layers_.spectral_bins > 0 ? range.paths() : 0);
-    device_.trace_paths(range, {radiance_, direct_, first_hits_, spectra_}, counts);
+    splats_.clear();
+    device_.trace_paths(range, {radiance_, direct_, first_hits_, spectra_, layers_.splats ? &splats_ : nullptr}, counts);
 }
 
 void PathTracer::put(FilmState& state) {
     Film& film = state.film();
     FilmSums& sums = *state.sums();
-    const PathSamples samples{radiance_, direct_, first_hits_, spectra_};
+    const PathSamples samples{radiance_, direct_, first_hits_, spectra_, nullptr};
+    if (sums.splats() != nullptr) {
+        sums.splats()->add(splats_, range_.paths());
+    }
     const std::size_t count = static_cast<std::size_t>(range_.sample_count);
     std::size_t next = 0;
     for (int y = range_.y0; y < range_.y1; ++y) {

@@ -38,6 +38,7 @@ private:
     std::vector<glm::vec3> direct_;
     std::vector<FirstHit> first_hits_;
     std::vector<SpectralSample> spectra_;
+    std::vector<Splat> splats_;
 };
 
 // Every pixel gets as many samples.

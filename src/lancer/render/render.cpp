@@ -54,6 +54,13 @@ public:
             }
             left_.resize(kept);
         }
+        const FilmSums* sums = state_.sums();
+        if (sums != nullptr && sums->splats() != nullptr) {
+            // What fell on a pixel after its own last sample.
+            for (std::size_t i = 0; i < state_.film().radiance.size(); ++i) {
+                state_.film().radiance[i] = sums->mean(i);
+            }
+        }
     }
 
     RenderStatistics statistics() const {
@@ -220,7 +227,9 @@ RenderStatistics render(const Device& device, const RenderOptions& options, Film
                         const std::atomic<bool>* cancel, FilmSums* sums) {
     std::optional<FilmSums> own;  // where nobody else wants them
     if (options.spp > 0 && sums == nullptr) {
-        sums = &own.emplace(options.width, options.height, FilmLayers{});
+        FilmLayers layers;
+        layers.splats = device.makes_splats();
+        sums = &own.emplace(options.width, options.height, layers);
     }
     FilmState state(film, options.spp > 0 ? sums : nullptr, tile_size_for(options));
     return render(device, options, state, observer, cancel);

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "lancer/app/cli/command_line.h"
+#include "lancer/app/cli/frames.h"
 #include "lancer/app/cli/import_arguments.h"
 #include "lancer/app/cli/render_job.h"
 #include "lancer/render/render.h"
@@ -46,6 +47,11 @@ void add_job_options(CLI::App& app, RenderJob& job) {
     add_choice(app, "--progress", job.progress, {"bar", "plain", "json"}, "How progress is told, on standard error");
     app.add_flag("--quiet", job.quiet, "Say nothing but warnings and errors");
     add_shard(app, job.shard);
+    add_frame_range(app, job.frames,
+                    "An animation: a picture for each frame that is not done; # in file names stands for the frame's number");
+    add_fps(app, job.fps);
+    add_text(app, "--only-if", job.only_if, "HASH",
+             "Render only if the scene and all that it reads has this hash, as \"lancer info\" tells it");
     add_duration(app, "--checkpoint", job.checkpoint,
                  "How often the film is saved beside the picture, for \"lancer resume\"; \"off\": never. If not given, 30s after a minute",
                  true);

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "lancer/app/cli/checkpoints.h"
 #include "lancer/app/cli/command_line.h"
 #include "lancer/app/cli/film_about.h"
+#include "lancer/app/cli/frames.h"
 #include "lancer/app/cli/import_arguments.h"
 #include "lancer/app/cli/interrupt.h"
 #include "lancer/app/cli/outputs.h"
@@ -22,6 +24,7 @@
 #include "lancer/base/failure.h"
 #include "lancer/image/replace_file.h"
 #include "lancer/import/import.h"
+#include "lancer/scene/integrator.h"
 
 namespace lancer::app {
 
@@ -30,29 +33,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-// Positional words beside the scene are pictures: `-o out.exr out.png`.
-std::optional<std::string> sort_files(RenderJob& job) {
-    std::vector<std::string> scenes;
-    for (const std::string& file : job.files) {
-        if ((is_picture(file) || is_film(file)) && !job.outputs.empty()) {
-            job.outputs.push_back(file);
-        } else {
-            scenes.push_back(file);
-        }
-    }
-    if (scenes.empty()) {
-        return "which scene? For example: lancer render scene.toml -o picture.png";
-    }
-    if (scenes.size() > 1) {
-        return fmt::format("one scene at a time, not {}", fmt::join(scenes, " and "));
-    }
-    if (job.outputs.empty()) {
-        return fmt::format("where shall the picture go? For example: -o picture.png");
-    }
-    job.files = scenes;
-    return std::nullopt;
-}
 
 void print_aovs() {
     for (const AovKind& kind : aov_kinds()) {
@@ -129,7 +109,9 @@ public:
         Film film(prepared_->options.width, prepared_->options.height);
         std::optional<FilmSums> sums;
         if (prepared_->options.spp > 0) {
-            sums.emplace(film.width, film.height, layers_for(prepared_->contents));
+            FilmLayers layers = layers_for(prepared_->contents);
+            layers.splats = prepared_->device->makes_splats();
+            sums.emplace(film.width, film.height, layers);
         }
         FilmState state(film, sums ? &*sums : nullptr, tile_size_for(prepared_->options));
         const FilmAbout about = about_film(*prepared_, words_of(job_));
@@ -144,20 +126,31 @@ public:
         }
 
         std::optional<Checkpoints> checkpoints;
-        if (job_.checkpoint.value_or(1.0) > 0.0) {
+        if (job_.checkpoint.value_or(1.0) > 0.0 && !prepared_->device->makes_splats()) {
             const CheckpointTimes times = job_.checkpoint ? CheckpointTimes{*job_.checkpoint, *job_.checkpoint} : CheckpointTimes{};
             checkpoints.emplace(begun_ ? begun_->output : outputs_.first, about, state, times);
         }
         const ProgressStyle style = choose_progress(job_.progress, job_.quiet);
+        if (prepared_->scene.settings.integrator == "auto" && scene::follows_paths(prepared_->scene) && !job_.quiet &&
+            style != ProgressStyle::json) {
+            const scene::IntegratorChoice choice = scene::choose_integrator(prepared_->scene);
+            fmt::print("Light is followed by {}, because {}\n", choice.name, choice.why);
+        }
         RenderProgressPrinter printer(style, job_.files.front());
-        const RenderStatistics done = render(*prepared_->device, prepared_->options, state, &printer, &interrupted);
+        FrameProgress progress(printer, job_.part);
+        const std::clock_t processor_start = std::clock();
+        const RenderStatistics done = render(*prepared_->device, prepared_->options, state, &progress, &interrupted);
         printer.clear();
         times_.render = done.seconds;
+        times_.processor = static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC;
         report_bad_samples(done.bad_samples, *prepared_->world);
         report_bad_pixels(done);
 
         const auto write_start = Clock::now();
         const int count = checkpoints ? checkpoints->stop() : 0;
+        if (!done.finished) {
+            prepared_->metadata["lancer:unfinished"] = "stopped before its goal";
+        }
         write_outputs(state, about, done.finished);
         if (checkpoints) {
             keep(*checkpoints, done.finished, count);
@@ -183,14 +176,28 @@ private:
         ImportReport report;
         std::optional<scene::Scene> scene = import_scene(file, job_.render.import, report, diagnostics);
         tell_report(report, file, diagnostics);
+        if (scene && job_.only_if && scene->hash != *job_.only_if) {
+            diagnostics.error({}, fmt::format("{}, or a file that it reads, is not what it was: its hash is {}, and {} was asked for", file,
+                                              scene->hash, *job_.only_if));
+        }
         times_.load = seconds_since(load_start);
         const auto prepare_start = Clock::now();
+        if (scene && needs_film() && scene->settings.integrator == "auto" && !job_.render.integrator &&
+            scene::starts_at_lamps(scene::chosen_integrator(*scene))) {
+            scene->settings.integrator = "path";  // the next best that a film can be kept of
+        }
         if (scene && !diagnostics.has_errors()) {
             prepared_ = prepare(std::move(*scene), job_.render, render_command(file, job_.render), diagnostics);
         }
         times_.prepare = seconds_since(prepare_start);
         if (prepared_) {
             check_contents(job_, prepared_->contents, diagnostics);
+            if (prepared_->device->makes_splats() && needs_film()) {
+                diagnostics.error(
+                    {},
+                    "light from the lamps falls on tiles that others have rendered: films, shards and checkpoints are for paths from the "
+                    "camera (--integrator path)");
+            }
             if (job_.shard) {
                 prepared_->options.shard = job_.shard->shard;
                 prepared_->options.shards = job_.shard->shards;
@@ -200,10 +207,12 @@ private:
         return prepared_ && !diagnostics.has_errors();
     }
 
+    bool needs_film() const { return job_.shard || job_.checkpoint.value_or(0.0) > 0.0 || begun_ || !outputs_.films.empty(); }
+
     // What has gone through checkpoints stays open for more samples.
     void keep(Checkpoints& checkpoints, bool finished, int count) {
         if (finished && complete_) {
-            if (!outputs_.films.empty()) {  // the film itself does as well
+            if (!outputs_.films.empty() || !job_.keeps_film) {  // the film itself does as well
                 checkpoints.remove();
                 return;
             }
@@ -269,6 +278,30 @@ private:
 
 }  // namespace
 
+std::optional<std::string> sort_files(RenderJob& job) {
+    std::vector<std::string> scenes;
+    for (const std::string& file : job.files) {
+        if ((is_picture(file) || is_film(file)) && !job.outputs.empty()) {
+            job.outputs.push_back(file);
+        } else {
+            scenes.push_back(file);
+        }
+    }
+    if (scenes.empty()) {
+        return "which scene? For example: lancer render scene.toml -o picture.png";
+    }
+    if (scenes.size() > 1) {
+        return fmt::format("one scene at a time, not {}", fmt::join(scenes, " and "));
+    }
+    if (job.outputs.empty()) {
+        return fmt::format("where shall the picture go? For example: -o picture.png");
+    }
+    job.files = scenes;
+    return std::nullopt;
+}
+
+void check_outputs(const RenderJob& job, Diagnostics& diagnostics) { outputs_of(job, diagnostics); }
+
 int run_render_job(const CLI::App& app, RenderJob job, std::optional<Begun> begun) {
     if (job.render.aovs == std::vector<std::string>{"list"}) {
         print_aovs();
@@ -276,6 +309,9 @@ int run_render_job(const CLI::App& app, RenderJob job, std::optional<Begun> begu
     }
     if (const auto sentence = sort_files(job)) {
         return refuse(*sentence, app);
+    }
+    if (job.frames) {
+        return run_frames(app, job);
     }
     return Run(std::move(job), std::move(begun)).run();
 }

@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "lancer/app/cli/render_arguments.h"
+#include "lancer/app/frames/frame_progress.h"
+#include "lancer/app/frames/frame_range.h"
+#include "lancer/base/diagnostic.h"
 #include "lancer/film/film_file.h"
 
 namespace CLI {
@@ -28,10 +31,21 @@ struct RenderJob {
     std::optional<std::string> stats;
     std::optional<std::string> progress;
     std::optional<Shard> shard;
-    std::optional<double> checkpoint;  // seconds; 0: none
+    std::optional<FrameRange> frames;  // one picture for each
+    std::optional<double> fps;
+    std::optional<std::string> only_if;  // the hash that the scene must have
+    FramePart part;                      // of more than this picture
+    bool keeps_film = true;              // beside a picture that took long, for more samples later
+    std::optional<double> checkpoint;    // seconds; 0: none
     bool quiet = false;
     RenderArguments render;
 };
+
+// Positional words beside the scene are pictures: `-o out.exr out.png`. A sentence where scene or pictures are missing.
+std::optional<std::string> sort_files(RenderJob& job);
+
+// Errors where the pictures and films can't be written.
+void check_outputs(const RenderJob& job, Diagnostics& diagnostics);
 
 // The options of `lancer render`.
 void add_job_options(CLI::App& app, RenderJob& job);

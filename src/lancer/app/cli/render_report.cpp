@@ -69,6 +69,7 @@ nlohmann::ordered_json statistics_json(const Prepared& prepared, const RenderSta
         {"pixels_that_are_not_numbers", done.bad_pixels},
         {"bad_samples", bad_samples_json(done.bad_samples, *prepared.world)},
         {"seconds", {{"load", times.load}, {"prepare", times.prepare}, {"render", times.render}, {"write", times.write}}},
+        {"processor_seconds", times.processor},
         {"written", written},
     };
 }

@@ -14,6 +14,7 @@ struct Times {  // seconds
     double prepare = 0.0;
     double render = 0.0;
     double write = 0.0;
+    double processor = 0.0;  // of all threads, while rendering
 };
 
 // Numbers about the render, as JSON.
