@@ -192,7 +192,7 @@ FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Float width
         vertex.point.shading = select(mine, s.shading, vertex.point.shading);
         vertex.inside = either(vertex.inside, both(mine, inside));
         vertex.material = select(mine, Int(object.material), vertex.material);
-        vertex.emitter = select(mine, Int(object.emitter), vertex.emitter);
+        vertex.emitter = select(mine, object.emitter < -1 ? Int(-2 - object.emitter) + hit.part : Int(object.emitter), vertex.emitter);
         if ((material.flags & MATERIAL_EMITS) != 0) {
             Mask shines = mine;
             if ((material.flags & MATERIAL_EMITS_BEHIND) == 0) {

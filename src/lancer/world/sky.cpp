@@ -11,6 +11,7 @@
 #include "lancer/base/failure.h"
 #include "lancer/image/image.h"
 #include "lancer/kernel/color.h"
+#include "lancer/world/clear_sky.h"
 #include "lancer/world/spectra.h"
 
 namespace lancer {
@@ -92,6 +93,10 @@ void compile_sky(const scene::Background& background, World& world, Colors& colo
         sky.horizon = colors.light(scene::Rgb(1.0));
         return;
     }
+    if (background.sky) {
+        compile_clear_sky(*background.sky, background.strength, world, colors);
+        return;
+    }
     const scene::Rgb zenith = emitted(background.zenith), horizon = emitted(background.horizon), nadir = emitted(background.nadir);
     const scene::Rgb most = glm::max(glm::max(zenith, horizon), nadir) * background.strength;
     if (!(std::max({most.x, most.y, most.z}) > 0.0)) {
@@ -107,7 +112,7 @@ void compile_sky(const scene::Background& background, World& world, Colors& colo
 
 double compile_sky_shares(World& world, bool compensated) {
     kernel::SkyRecord& sky = world.sky;
-    if (sky.kind != kernel::SKY_IMAGE) {
+    if (sky.kind != kernel::SKY_IMAGE && sky.kind != kernel::SKY_MODEL) {
         return sky.kind == kernel::SKY_NONE
                    ? 0.0
                    : 0.25 * (luminance(sky.zenith.rgb) + 2.0 * luminance(sky.horizon.rgb) + luminance(sky.nadir.rgb));
@@ -140,7 +145,10 @@ double compile_sky_shares(World& world, bool compensated) {
     if (!compensated || !(share_out(mean) > 0.01 * mean)) {
         share_out(0.0);
     }
-    return mean * static_cast<double>(sky.scale);
+    mean *= static_cast<double>(sky.scale);
+    const double sun = 0.25 * luminance(sky.sun_light.rgb) * static_cast<double>(sky.sun_chord);  // over all directions
+    sky.sun_share = static_cast<float>(sun > 0.0 ? std::clamp(sun / (mean + sun), 0.1, 0.9) : 0.0);
+    return mean + sun;
 }
 
 }  // namespace lancer

@@ -8,7 +8,7 @@
 
 namespace lancer {
 
-// Fills world.sky, and reads its image into world.sky_texels.
+// Fills world.sky, and reads or computes its image into world.sky_texels.
 void compile_sky(const scene::Background& background, World& world, Colors& colors, Diagnostics& diagnostics);
 
 // Makes the sky's image something to draw from, after compile_sky: fills world.distributions with cumulative shares of rows, and of the texels of each

@@ -46,6 +46,8 @@ public:
     std::vector<kernel::MediumRecord> media;       // of materials[i]
     std::vector<kernel::MaterialRecord> surfaces;  // of materials[i]
     std::vector<kernel::EmitterRecord> emitters;
+    std::vector<float> light_nodes;  // none where emitters are few
+    std::vector<int> light_ways;
     std::vector<float> distributions;
     std::vector<float> curves;
     std::vector<float> filter_places;
@@ -75,7 +77,7 @@ public:
     kernel::SkyRecord sky{};
     kernel::FilterRecord filter{};
     bool spectral = false;
-    bool chosen_by_strength = false;
+    int far_count = 0;  // the first of emitters
     int environment = -1;
     int max_depth = 0;
     kernel::PathLimits limits{};

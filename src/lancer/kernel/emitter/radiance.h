@@ -29,6 +29,9 @@ FN Spectrum emitted_light(IN(WorldRecord) world, IN(EmitterRecord) emitter, IN(E
             Float cosine = -dot(s.direction, broadcast(emitter.direction));
             light = light * spot_share(cosine, emitter.cos_outer, emitter.cos_inner);
         }
+        if (is_thrown(emitter)) {
+            light = light * thrown_share(world, emitter, -s.direction, mask);
+        }
     }
     return light;
 }

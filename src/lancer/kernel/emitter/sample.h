@@ -4,6 +4,7 @@
 
 #include "lancer/kernel/emitter/area.h"
 #include "lancer/kernel/emitter/sky.h"
+#include "lancer/kernel/emitter/thrown.h"
 #include "lancer/kernel/frame.h"
 
 NAMESPACE_BEGIN
@@ -113,6 +114,8 @@ FN EmitterSample emitter_sample(IN(WorldRecord) world, IN(EmitterRecord) emitter
         s = area_sample(triangle_point(world, emitter, u, mask), from);
     } else if (emitter.kind == EMITTER_MESH) {
         s = area_sample(mesh_point(world, emitter, u, mask), from);
+    } else if (emitter.kind == EMITTER_MESH_TRIANGLE) {
+        s = area_sample(part_point(world, emitter, u, mask), from);
     } else if (emitter.kind == EMITTER_PLACED) {
         s = area_sample(placed_point(AT(world.placed, emitter.index), AT(world.objects, emitter.object).kind, emitter, u), from);
     } else if (emitter.kind == EMITTER_DIRECTIONAL) {
@@ -122,6 +125,9 @@ FN EmitterSample emitter_sample(IN(WorldRecord) world, IN(EmitterRecord) emitter
         s = far_sample(from, sky.direction, sky.density, no);
     } else {
         s = point_sample(emitter, from);
+        if (is_thrown(emitter)) {
+            s.point.uv = thrown_place(emitter, -s.direction).uv;
+        }
     }
     return s;
 }
