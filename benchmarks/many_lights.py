@@ -94,8 +94,8 @@ def main():
                 once = render(options.lancer, name + ".toml", name + "-1.exr", 1, pair)
                 seconds = render(options.lancer, name + ".toml", name + ".exr", options.spp, pair) - once
                 measured = error(options.lancer, name + ".exr", name + "-reference.exr")
-                cost[count].append((seconds, measured["mse"]))
-                print(f"{kind} {count}: {seconds:.2f} s, mse {measured['mse']:.4g}, relmse {measured.get('relmse', 0):.4g}", flush=True)
+                cost[count].append((seconds, measured["all"]["mse"]))
+                print(f"{kind} {count}: {seconds:.2f} s, mse {measured['all']['mse']:.4g}, mean {measured['all']['mean']:.4g}", flush=True)
         mean = {count: sum(s * e for s, e in pairs) / len(pairs) for count, pairs in cost.items()}
         print(f"{kind}: {mean[10000] / mean[10]:.2f} times the seconds x mse of 10 lights", flush=True)
 

@@ -114,7 +114,9 @@ INSTANTIATE_TEST_SUITE_P(Golden, SameBytes,
                                          Case{"Figure1InTheTree", "report/figure-1.toml", false, Tracer::tree},
                                          Case{"Lights", "report/lights.toml"}, Case{"Benchmark", "benchmark/whitted.toml", true},
                                          Case{"Paths", "gallery/cornell-box.toml", false, Tracer::automatic, 7},
-                                         Case{"PathsInTheTree", "features/principled.toml", false, Tracer::tree, 4}),
+                                         Case{"PathsInTheTree", "features/principled.toml", false, Tracer::tree, 4},
+                                         Case{"ManyLights", "features/many-lights.toml", false, Tracer::automatic, 3},
+                                         Case{"ClearSky", "features/sky.toml", false, Tracer::automatic, 3}),
                          [](const auto& one) { return one.param.name; });
 
 TEST(SameBytes, BothTracersGiveTheSamePicture) {

@@ -141,8 +141,8 @@ std::vector<EmitterCase> emitter_cases() {
         world_lit_by(scene::GoniometricLight{{1.0, 2.0, 0.5}, {0.0, 0.3, -1.0}, {0.0, 1.0, 0.0}, bright_picture()}));
     const scene::Photometry photometry{{0.0, 45.0, 90.0}, {0.0}, {3.0, 2.0, 1.0}};
     add("photometric", EMITTER_IES,
-        world_lit_by(scene::IesLight{
-            {1.0, 2.0, 0.5}, {0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, std::make_shared<const scene::Photometry>(photometry)}));
+        world_lit_by(
+            scene::IesLight{{1.0, 2.0, 0.5}, {0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, std::make_shared<const scene::Photometry>(photometry)}));
     scene::Scene sky = lit_scene();
     sky.materials.front().emission.reset();
     scene::Object ball;
@@ -175,7 +175,8 @@ std::vector<EmitterCase> emitter_cases() {
     add("triangle", EMITTER_TRIANGLE, world_with(scene::Mesh{triangle, false}));
     // Two small triangles far apart are emitters of their own.
     auto pair = std::make_shared<scene::TriangleMesh>();
-    pair->positions = {{-0.5f, 1.5f, -0.4f}, {1.2f, 1.6f, 0.0f}, {0.1f, 1.0f, 1.1f}, {90.0f, 0.0f, 0.0f}, {90.0f, 0.0f, 1.0f}, {91.0f, 0.0f, 0.0f}};
+    pair->positions = {{-0.5f, 1.5f, -0.4f}, {1.2f, 1.6f, 0.0f},  {0.1f, 1.0f, 1.1f},
+                       {90.0f, 0.0f, 0.0f},  {90.0f, 0.0f, 1.0f}, {91.0f, 0.0f, 0.0f}};
     for (unsigned i = 0; i < 70; ++i) {
         pair->triangles.push_back({3 * std::min(i, 1u), 3 * std::min(i, 1u) + 1, 3 * std::min(i, 1u) + 2});
     }

@@ -178,7 +178,7 @@ TEST(ThrownLight, DrawsDirectionsWithItsDensity) {
     thrown.fov = 80.0;
     thrown.image = picture("spots", 16, 8, grey);
     worlds.push_back(lit_by(thrown));
-    worlds.push_back(lit_by(scene::GoniometricLight{{0.0, 0.0, 0.0}, {0.4, 0.1, -1.0}, {0.2, 1.0, 0.1}, thrown.image}));
+    worlds.push_back(lit_by(scene::GoniometricLight{{0.0, 0.0, 0.0}, {0.4, 0.1, -1.0}, {0.2, 1.0, 0.1}, *thrown.image}));
     worlds.push_back(lit_by(lamp({{0.0, 30.0, 60.0}, {0.0, 180.0, 360.0}, {9.0, 4.0, 0.0, 1.0, 2.0, 0.0, 9.0, 4.0, 0.0}})));
     std::mt19937 numbers(3);
     std::uniform_real_distribution<float> uniform(0.0f, 0.9999f);

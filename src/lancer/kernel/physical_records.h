@@ -103,11 +103,11 @@ const int EMITTER_POINT = 0;
 const int EMITTER_SPOT = 1;
 const int EMITTER_DIRECTIONAL = 2;
 const int EMITTER_ENVIRONMENT = 3;
-const int EMITTER_SPHERE = 4;    // spheres[index]
-const int EMITTER_TRIANGLE = 5;  // triangles[index]
-const int EMITTER_MESH = 6;      // instances[index]
-const int EMITTER_PLACED = 7;    // placed[index]
-const int EMITTER_PROJECTOR = 8;    // these have no size and throw a picture, see emitter/thrown.h
+const int EMITTER_SPHERE = 4;     // spheres[index]
+const int EMITTER_TRIANGLE = 5;   // triangles[index]
+const int EMITTER_MESH = 6;       // instances[index]
+const int EMITTER_PLACED = 7;     // placed[index]
+const int EMITTER_PROJECTOR = 8;  // these have no size and throw a picture, see emitter/thrown.h
 const int EMITTER_GONIOMETRIC = 9;
 const int EMITTER_IES = 10;
 const int EMITTER_MESH_TRIANGLE = 11;  // triangle `first_share` of instances[index]
@@ -144,13 +144,13 @@ struct EmitterRecord {
 
 // A node of the tree of near emitters: a sphere around them, and the directions in which they send light [Conty Estevez and Kulla 2018]. Twelve numbers
 // side by side in light_nodes; a node's two children stand one after the other.
-const int NODE_MIDDLE = 0;   // three numbers; world space
-const int NODE_RADIUS = 3;   // of the sphere, metres
-const int NODE_AXIS = 4;     // three numbers, length 1
-const int NODE_SPREAD = 7;   // cosine of the largest angle between the axis and an emitter's own axis
-const int NODE_REACH = 8;    // cosine of how far beyond light goes
-const int NODE_POWER = 9;    // sum of EmitterRecord::strength
-const int NODE_CHILD = 10;   // the first child; of leaves -1 - emitter
+const int NODE_MIDDLE = 0;    // three numbers; world space
+const int NODE_RADIUS = 3;    // of the sphere, metres
+const int NODE_AXIS = 4;      // three numbers, length 1
+const int NODE_SPREAD = 7;    // cosine of the largest angle between the axis and an emitter's own axis
+const int NODE_REACH = 8;     // cosine of how far beyond light goes
+const int NODE_POWER = 9;     // sum of EmitterRecord::strength
+const int NODE_CHILD = 10;    // the first child; of leaves -1 - emitter
 const int NODE_TWOFOLD = 11;  // 1: the same to the axis's other side
 const int NODE_SIZE = 12;
 

@@ -287,12 +287,12 @@ struct WorldRecord {
     int instance_count;
     int light_count;
     int emitter_count;
-    int far_count;  // emitters of the tree come after those that are infinitely far
-    int has_tree;   // 0: so few emitters that each is looked at
-    int environment;         // the emitter that is the sky, -1: none
-    int spectral;            // 0: linear RGB
-    int watched;             // 1: a path's steps tell what they meet
-    int max_depth;           // vertices of a path after the camera, at most
+    int far_count;    // emitters of the tree come after those that are infinitely far
+    int has_tree;     // 0: so few emitters that each is looked at
+    int environment;  // the emitter that is the sky, -1: none
+    int spectral;     // 0: linear RGB
+    int watched;      // 1: a path's steps tell what they meet
+    int max_depth;    // vertices of a path after the camera, at most
     PathLimits limits;
     int ways;  // WAYS_*
     FilterRecord filter_record;

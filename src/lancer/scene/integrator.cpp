@@ -8,9 +8,10 @@ std::string chosen_integrator(const Scene& scene) {
     if (scene.settings.integrator != "auto") {
         return scene.settings.integrator;
     }
-    const bool physical = std::any_of(scene.materials.begin(), scene.materials.end(), is_physical) ||
-                          std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.power.has_value(); }) ||
-                          scene.background.sky.has_value();
+    const bool physical =
+        std::any_of(scene.materials.begin(), scene.materials.end(), is_physical) ||
+        std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.power.has_value(); }) ||
+        scene.background.sky.has_value();
     return physical ? "path" : "whitted";
 }
 

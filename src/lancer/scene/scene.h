@@ -297,8 +297,10 @@ struct PointLight {
 struct SpotLight {
     glm::dvec3 position{0.0};
     glm::dvec3 direction{0.0, -1.0, 0.0};
-    double angle = 30.0;   // degrees from the axis to where the light ends
-    double falloff = 5.0;  // degrees over which it fades, measured inwards from `angle`
+    double angle = 30.0;                               // degrees from the axis to where the light ends
+    double falloff = 5.0;                              // degrees over which it fades, measured inwards from `angle`
+    std::optional<ImageTexture> image = std::nullopt;  // times this: a square around the cone, thrown as a projector does
+    glm::dvec3 up{0.0, 1.0, 0.0};                      // of that picture
 };
 
 struct DirectionalLight {
@@ -314,7 +316,7 @@ struct ProjectorLight {
     glm::dvec3 up{0.0, 1.0, 0.0};
     double fov = 30.0;  // degrees, between the two edges of the picture along `fov_axis`
     ProjectorFov fov_axis = ProjectorFov::width;
-    ImageTexture image;
+    std::optional<ImageTexture> image = std::nullopt;  // none: a white square
     bool even = true;  // on a screen at right angles white is as bright at the edges as in the middle; else as intense in each direction
 };
 

@@ -14,8 +14,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double earth = 6371e3;           // metres, its mean radius
-constexpr double top = 80e3;               // where the air ends
+constexpr double earth = 6371e3;            // metres, its mean radius
+constexpr double top = 80e3;                // where the air ends
 constexpr double molecular_height = 8.0e3;  // over which molecules become fewer by e
 constexpr double haze_height = 1.2e3;       // and haze
 constexpr double ozone_middle = 22e3;       // of a layer that becomes thinner to both sides, up to
@@ -38,33 +38,44 @@ Columns above(double height) {
             (std::exp(-height / haze_height) - end_haze) / (1.0 - end_haze), ozone};
 }
 
-// Along a straight line between two heights: each of the shells between has the density of its vertical way.
+// The spheres between shells, thin ones where lines are nearly level near the ground, and what stands above them.
+struct Shells {
+    std::vector<double> radius;
+    std::vector<Columns> above_it;
+
+    Shells() {
+        for (int i = 0; i <= 4 * layers; ++i) {
+            const double low = height_of(i / 4), high = height_of(std::min(i / 4 + 1, layers));
+            const double height = low + (high - low) * (i % 4) / 4.0;
+            radius.push_back(earth + height);
+            above_it.push_back(above(height));
+        }
+    }
+};
+
 // From `height` in the direction whose cosine from the zenith there is `cosine`, to the air's end. False where the ground is in the way.
 bool columns_along(double height, double cosine, Columns& columns) {
+    static const Shells shells;
     columns = {0.0, 0.0, 0.0};
     const double r = earth + height;
     const double closest_2 = r * r * (1.0 - cosine * cosine);  // to the earth's middle, of the whole line
     const double closest = std::sqrt(std::max(closest_2, 0.0));
-    const auto along = [&](double radius) { return std::sqrt(std::max(radius * radius - closest_2, 0.0)); };
     // The part from `low` up to the end.
     const auto add_rising = [&](double low, double times) {
-        double from = low;
-        Columns before = above(from - earth);
-        for (int level = 1; level <= layers; ++level) {
-            // Thin shells where the line is nearly level.
-            for (int part = 1; part <= 4; ++part) {
-                const double shell = earth + height_of(level - 1) + (height_of(level) - height_of(level - 1)) * part / 4.0;
-                if (shell <= from) {
-                    continue;
-                }
-                const Columns after = above(shell - earth);
-                const double stretch = (along(shell) - along(from)) / (shell - from);
-                for (std::size_t i = 0; i < 3; ++i) {
-                    columns[i] += times * (before[i] - after[i]) * stretch;
-                }
-                before = after;
-                from = shell;
+        const auto along = [&](double radius) { return std::sqrt(std::max(radius * radius - closest_2, 0.0)); };
+        double from = low, from_along = along(low);
+        Columns before = above(low - earth);
+        const auto first = std::upper_bound(shells.radius.begin(), shells.radius.end(), low) - shells.radius.begin();
+        for (auto i = static_cast<std::size_t>(first); i < shells.radius.size(); ++i) {
+            const double to = shells.radius[i], to_along = along(to);
+            const double stretch = times * (to_along - from_along) / (to - from);
+            const Columns& after = shells.above_it[i];
+            for (std::size_t k = 0; k < 3; ++k) {
+                columns[k] += (before[k] - after[k]) * stretch;
             }
+            before = after;
+            from = to;
+            from_along = to_along;
         }
     };
     if (cosine >= 0.0) {
@@ -74,14 +85,9 @@ bool columns_along(double height, double cosine, Columns& columns) {
     if (closest < earth) {
         return false;
     }
-    // Down to the closest point and up again: the rise from there twice, without what lies behind.
+    // Down to the closest point and up to the end: twice the rise from there, less the part that lies behind.
     add_rising(closest, 2.0);
-    Columns behind = columns;
-    columns = {0.0, 0.0, 0.0};
-    add_rising(r, 1.0);
-    for (std::size_t i = 0; i < 3; ++i) {
-        columns[i] = behind[i] - columns[i];
-    }
+    add_rising(r, -1.0);
     return true;
 }
 

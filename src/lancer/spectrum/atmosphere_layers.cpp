@@ -10,8 +10,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int azimuth_steps = 64;   // for the modes' integrals
-constexpr int most_orders = 200;    // of scattering
+constexpr int azimuth_steps = 64;     // for the modes' integrals
+constexpr int most_orders = 200;      // of scattering
 constexpr double least_order = 1e-5;  // the last order's share of all light on the ground and at the top
 
 // Nodes and weights of Gauss's rule over 0 to 1, by Newton's method on Legendre's polynomials.
@@ -56,7 +56,8 @@ double molecular_phase(double cosine) { return 3.0 / (16.0 * pi) * (1.0 + cosine
 
 double haze_phase(double cosine, double asymmetry) {
     const double g2 = asymmetry * asymmetry;
-    return (1.0 - g2) / (4.0 * pi * std::pow(1.0 + g2 - 2.0 * asymmetry * cosine, 1.5));
+    const double distance_2 = 1.0 + g2 - 2.0 * asymmetry * cosine;
+    return (1.0 - g2) / (4.0 * pi * distance_2 * std::sqrt(distance_2));
 }
 
 ScatteringModes::ScatteringModes(double sun_cosine, double asymmetry, const std::vector<double>& looks) : looks_(looks.size()) {

@@ -53,7 +53,7 @@ private:
 };
 
 // How likely light is to turn by an angle of that cosine, per solid angle: its integral over all directions is 1.
-double molecular_phase(double cosine);                 // [Rayleigh 1871]
-double haze_phase(double cosine, double asymmetry);    // [Henyey and Greenstein 1941]
+double molecular_phase(double cosine);               // [Rayleigh 1871]
+double haze_phase(double cosine, double asymmetry);  // [Henyey and Greenstein 1941]
 
 }  // namespace lancer

@@ -97,7 +97,9 @@ void compile_clear_sky(const scene::ClearSky& clear, double strength, World& wor
     for (std::size_t i = 0; i < shares.radiance.size(); i += nanometres.size()) {
         table.push_back(seen(&shares.radiance[i]));
     }
-    const auto at = [&](int azimuth, int elevation) { return table[static_cast<std::size_t>(azimuth * kernel::MODEL_ELEVATIONS + elevation)]; };
+    const auto at = [&](int azimuth, int elevation) {
+        return table[static_cast<std::size_t>(azimuth * kernel::MODEL_ELEVATIONS + elevation)];
+    };
     const double sun_azimuth = std::atan2(clear.sun.x, -clear.sun.z);
     world.sky_texels.clear();
     for (int row = 0; row < picture_height; ++row) {

@@ -71,6 +71,9 @@ public:
             const SpotCone cone = spot_cone(*spot);
             record.cos_outer = cone.cos_outer;
             record.cos_inner = cone.cos_inner;
+            if (spot->image) {
+                compile_thrown(*spot, *light.power, world_, textures_, colors_, record);
+            }
         } else if (const auto* sun = std::get_if<scene::DirectionalLight>(&light.model)) {
             record.kind = kernel::EMITTER_DIRECTIONAL;
             record.direction = kernel::vec3(glm::normalize(sun->direction));
@@ -247,7 +250,8 @@ private:
                 for (int j = 0; j < points_a_triangle; ++j) {
                     const kernel::Vec2 on = kernel::on_triangle(spread(j, points_a_triangle));
                     const kernel::WorldRecord world = world_.record();
-                    radiance += texture_at(kernel::mesh_surface(world, record.index, static_cast<int>(i), on.x, on.y, true), record) / points_a_triangle;
+                    radiance += texture_at(kernel::mesh_surface(world, record.index, static_cast<int>(i), on.x, on.y, true), record) /
+                                points_a_triangle;
                 }
                 radiance = std::max(radiance, unseen_light * static_cast<double>(emission.scale));
             }

@@ -45,9 +45,9 @@ struct Cone {
     // How much there is of it, for the cost of a split [Conty Estevez and Kulla 2018, eq. 2].
     double measure() const {
         const double wide = std::min(spread + reach, pi);
-        const double one = 2.0 * pi * (1.0 - std::cos(spread)) + 0.5 * pi *
-                                                                     (2.0 * wide * std::sin(spread) - std::cos(spread - 2.0 * wide) -
-                                                                      2.0 * spread * std::sin(spread) + std::cos(spread));
+        const double one =
+            2.0 * pi * (1.0 - std::cos(spread)) +
+            0.5 * pi * (2.0 * wide * std::sin(spread) - std::cos(spread - 2.0 * wide) - 2.0 * spread * std::sin(spread) + std::cos(spread));
         return std::min(twofold ? 2.0 * one : one, 4.0 * pi);
     }
 };
@@ -187,7 +187,8 @@ private:
             }
             std::array<Summary, buckets> parts;
             for (std::size_t i = first; i < end; ++i) {
-                parts[static_cast<std::size_t>(bucket(leaves_[i], middles, axis))].add(leaves_[i].bounds, leaves_[i].cone, leaves_[i].power);
+                parts[static_cast<std::size_t>(bucket(leaves_[i], middles, axis))].add(leaves_[i].bounds, leaves_[i].cone,
+                                                                                       leaves_[i].power);
             }
             for (int cut = 1; cut < buckets; ++cut) {
                 Summary left, right;
@@ -201,9 +202,9 @@ private:
                     continue;
                 }
                 const double area = std::max(all.bounds.area(), 1e-300);
-                const double cost = (left.cost() * std::max(left.bounds.area() / area, 1e-6) +
-                                     right.cost() * std::max(right.bounds.area() / area, 1e-6)) *
-                                    longest / room[axis];
+                const double cost =
+                    (left.cost() * std::max(left.bounds.area() / area, 1e-6) + right.cost() * std::max(right.bounds.area() / area, 1e-6)) *
+                    longest / room[axis];
                 if (cost < least) {
                     least = cost;
                     best_axis = axis;

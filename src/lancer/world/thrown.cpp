@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "lancer/kernel/emitter/emitter.h"
 #include "lancer/world/spectra.h"
@@ -76,8 +77,7 @@ void put_shares(const std::vector<double>& parts, std::vector<float>& shares) {
     double so_far = 0.0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         so_far += parts[i];
-        shares.push_back(
-            static_cast<float>(sum > 0.0 ? so_far / sum : static_cast<double>(i + 1) / static_cast<double>(parts.size())));
+        shares.push_back(static_cast<float>(sum > 0.0 ? so_far / sum : static_cast<double>(i + 1) / static_cast<double>(parts.size())));
     }
 }
 
@@ -167,11 +167,16 @@ void compile_thrown(const scene::ProjectorLight& light, const scene::Color& powe
     record.kind = kernel::EMITTER_PROJECTOR;
     record.position = kernel::vec3(light.position);
     set_axes(light.direction, light.up, record);
-    scene::ImageTexture image = light.image;
-    image.wrap = scene::Wrap::clamp;
-    image.wrap_v = std::nullopt;
-    record.light = picture_light(image, power, world, textures, colors);
-    const glm::dvec2 size(size_of(world, record.light));
+    glm::dvec2 size(1.0);
+    if (light.image) {
+        scene::ImageTexture image = *light.image;
+        image.wrap = scene::Wrap::clamp;
+        image.wrap_v = std::nullopt;
+        record.light = picture_light(image, power, world, textures, colors);
+        size = glm::dvec2(size_of(world, record.light));
+    } else {
+        record.light = colors.light(power);
+    }
     const bool by_width =
         light.fov_axis == scene::ProjectorFov::width || (light.fov_axis == scene::ProjectorFov::smaller && size.x <= size.y);
     const double half = std::tan(glm::radians(std::clamp(light.fov, 1e-3, 179.9)) / 2.0);
@@ -183,8 +188,23 @@ void compile_thrown(const scene::ProjectorLight& light, const scene::Color& powe
     record.even = light.even ? 1 : 0;
     const double opening =
         4.0 * std::asin(half_width * half_height / std::sqrt((1.0 + half_width * half_width) * (1.0 + half_height * half_height)));
-    share_out(world, std::min(static_cast<int>(size.x), most_cells), std::min(static_cast<int>(size.y), most_cells), opening,
+    share_out(world, std::clamp(static_cast<int>(size.x), 16, most_cells), std::clamp(static_cast<int>(size.y), 16, most_cells), opening,
               power_scale(record.light, power, world.spectral), record);
+}
+
+void compile_thrown(const scene::SpotLight& light, const scene::Color& power, World& world, Textures& textures, Colors& colors,
+                    kernel::EmitterRecord& record) {
+    set_axes(light.direction, light.up, record);
+    scene::ImageTexture image = *light.image;
+    image.wrap = scene::Wrap::clamp;
+    image.wrap_v = std::nullopt;
+    record.light = picture_light(image, power, world, textures, colors);
+    // Of wide spots the picture covers the middle.
+    const double half = std::tan(glm::radians(std::min(light.angle, 89.0)));
+    record.across = kernel::vec3(glm::dvec3(record.across) / half);
+    record.upwards = kernel::vec3(glm::dvec3(record.upwards) / half);
+    // The brightest that it may be, so that no light is left out; emission is drawn from the whole cone.
+    record.strength = static_cast<float>(brightness(kernel::vec3(emitted(power))));
 }
 
 void compile_thrown(const scene::GoniometricLight& light, const scene::Color& power, World& world, Textures& textures, Colors& colors,

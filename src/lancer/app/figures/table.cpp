@@ -111,7 +111,10 @@ std::vector<FigureGroup> make_table() {
         {"Light that follows physics: lamps and lenses",
          "",
          {physical("lamps", "A ball, a box, a tube and a cone that shine."),
-          physical("environment", "All light comes from a picture of the sky."),
+          physical("environment", "All light comes from a picture of the sky."), physical("projector", "A picture thrown on a wall."),
+          physical("goniometric", "A picture thrown all around."), physical("light-ies", "Lamps with photometric files."),
+          physical("many-lights", "Lamps of all kinds, of which each path asks one."),
+          physical("sky", "A clear sky with the sun, computed for a place and a time."),
           physical("direct-light", "Lamps of four sizes over plates from smooth to rough."),
           physical("depth-of-field", "What lies before and behind the plane that is sharp.")}},
         {"Light that follows physics: gallery",
@@ -123,6 +126,9 @@ std::vector<FigureGroup> make_table() {
           physical_gallery("diamonds", "The fire of seven brilliants.", small_and_quick),
           physical_gallery("flacon", "Thick glass and gold under an afternoon sky.", square_and_quick),
           physical_gallery("daylight-room", "All light comes through one window.", small_and_quick),
+          physical_gallery("night-city", "Thousands of windows and street lamps.", small_and_quick),
+          physical_gallery("pavilion-morning", "Sun and sky in the morning.", small_and_quick),
+          physical_gallery("pavilion-noon", "At noon.", small_and_quick), physical_gallery("pavilion-dusk", "At dusk.", small_and_quick),
           physical_gallery("still-life", "What lies on surfaces: wood, a globe, worn paint, studs, tiles, a leaf.", small_and_quick)}},
     };
 }

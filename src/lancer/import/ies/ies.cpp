@@ -128,7 +128,7 @@ Rows unfold(Rows rows, Numbers& numbers) {
     }
     const double first = rows.angles.front(), last = rows.angles.back();
     if (is_near(first, 90.0) && is_near(last, 270.0)) {  // like on both sides of the plane through 90 and 270
-        mirror(rows, 270.0);                               // up to 450, which is 90
+        mirror(rows, 270.0);                             // up to 450, which is 90
         Rows turned;
         for (std::size_t i = 0; i < rows.angles.size(); ++i) {
             if (rows.angles[i] >= 360.0 - angle_slack) {

@@ -1,5 +1,8 @@
 #include "lancer/import/mitsuba/emitters.h"
 
+#include <algorithm>
+#include <numbers>
+
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
@@ -13,7 +16,7 @@ namespace {
 glm::dvec3 point(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1.0)); }
 glm::dvec3 direction(const glm::dmat4& m, const glm::dvec3& d) { return glm::dvec3(m * glm::dvec4(d, 0.0)); }
 
-void add_light(Builder& builder, Plugin& plugin, decltype(scene::Light::model) model, const Color& power) {
+void add_light(Builder& builder, Plugin& plugin, decltype(scene::Light::model) model, const scene::Color& power) {
     scene::Light light;
     light.name = plugin.id();
     light.model = std::move(model);
@@ -21,6 +24,36 @@ void add_light(Builder& builder, Plugin& plugin, decltype(scene::Light::model) m
     light.power = power;
     builder.scene.lights.push_back(std::move(light));
     builder.honoured(plugin);
+}
+
+// A picture that a light throws, upright as whoever looks along the light sees it; where it is no picture, its colour in `tint`.
+std::optional<scene::ImageTexture> thrown_picture(Builder& builder, Plugin& plugin, std::string_view name, scene::Color& tint) {
+    const scene::Texture texture = texture_or(builder, plugin, name, Color(1.0), Role::light);
+    if (const auto* image = std::get_if<scene::ImageTexture>(&texture)) {
+        scene::ImageTexture upright = *image;
+        upright.scale = glm::dvec2(1.0);
+        upright.rotation = 0.0;
+        upright.offset = glm::dvec2(0.0);
+        return upright;
+    }
+    if (const auto* color = std::get_if<scene::Color>(&texture)) {
+        tint = *color;
+    } else {
+        builder.context.report.approximated(fmt::format("{}: \"{}\"", plugin.title(), name), "white: no light throws such a texture",
+                                            plugin.position());
+    }
+    return std::nullopt;
+}
+
+// One of the two at least has no spectrum.
+scene::Color times(const scene::Color& a, const scene::Color& b) {
+    if (a.spectrum || b.spectrum) {
+        scene::Spectrum spectrum = *(a.spectrum ? a : b).spectrum;
+        const scene::Rgb& other = (a.spectrum ? b : a).rgb;
+        spectrum.scale *= (other.x + other.y + other.z) / 3.0;
+        return spectrum;
+    }
+    return a.rgb * b.rgb;
 }
 
 void add_point(Builder& builder, Plugin& plugin) {
@@ -37,10 +70,34 @@ void add_spot(Builder& builder, Plugin& plugin) {
     spot.angle = plugin.number("cutoff_angle", 20.0, 0.01, 89.99);
     const double beam = plugin.number("beam_width", 0.75 * spot.angle, 0.0, 180.0);
     spot.falloff = std::max(spot.angle - beam, 0.0);
+    scene::Color tint(scene::Rgb(1.0));
     if (plugin.has("texture")) {
-        builder.context.report.dropped(fmt::format("{}: \"texture\"", plugin.title()), "the spot is plain", plugin.position());
+        spot.image = thrown_picture(builder, plugin, "texture", tint);
+        spot.up = direction(to_world, glm::dvec3(0.0, 1.0, 0.0));
     }
-    add_light(builder, plugin, spot, color_or(builder, plugin, "intensity", Color(1.0), Role::light));
+    add_light(builder, plugin, spot, times(color_or(builder, plugin, "intensity", Color(1.0), Role::light), tint));
+}
+
+// Its irradiance at a distance of 1 comes out pi times as large as it is written.
+void add_projector(Builder& builder, Plugin& plugin) {
+    const glm::dmat4 to_world = plugin.transform("to_world").value_or(glm::dmat4(1.0));
+    scene::ProjectorLight light;
+    light.position = point(to_world, glm::dvec3(0.0));
+    light.direction = direction(to_world, glm::dvec3(0.0, 0.0, 1.0));
+    light.up = direction(to_world, glm::dvec3(0.0, 1.0, 0.0));
+    light.fov = plugin.number("fov", 50.0, 1e-3, 179.9);
+    const std::string axis = plugin.text("fov_axis", "x");
+    if (axis == "y") {
+        light.fov_axis = scene::ProjectorFov::height;
+    } else if (axis == "smaller") {
+        light.fov_axis = scene::ProjectorFov::smaller;
+    } else if (axis != "x") {
+        builder.context.report.approximated(fmt::format("{}: \"fov_axis\" {}", plugin.title(), quoted(axis)), "x", plugin.position());
+    }
+    scene::Color tint(scene::Rgb(1.0));
+    light.image = thrown_picture(builder, plugin, "irradiance", tint);
+    const double scale = std::max(plugin.number("scale", 1.0), 0.0) * std::numbers::pi;
+    add_light(builder, plugin, light, times(tint, scene::Rgb(scale)));
 }
 
 void add_directional(Builder& builder, Plugin& plugin) {
@@ -75,8 +132,9 @@ struct Kind {
 };
 
 constexpr Kind kinds[] = {
-    {"point", add_point}, {"spot", add_spot}, {"directional", add_directional}, {"constant", add_constant}, {"envmap", add_environment},
-    {"sunsky", add_sky},  {"sky", add_sky},
+    {"point", add_point},         {"spot", add_spot},         {"directional", add_directional},
+    {"projector", add_projector}, {"constant", add_constant}, {"envmap", add_environment},
+    {"sunsky", add_sky},          {"sky", add_sky},
 };
 
 }  // namespace

@@ -106,7 +106,7 @@ void build(Context& context, const toml::table& root) {
     }
     check_reach(messages, scene.objects, scene.placements, groups);
     const bool shines = std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return m.emission.has_value(); });
-    if (scene.lights.empty() && !shines && !root.contains("background") && !root.contains("ambient")) {
+    if (scene.lights.empty() && !shines && !root.contains("background") && !root.contains("sky") && !root.contains("ambient")) {
         messages.error(whole_file,
                        "the scene is dark: it needs a [[light]], a material with `emission`, a [background] or `ambient` light");
         return;

@@ -67,7 +67,9 @@ scene::ProjectorLight read_projector(Context& context, TableReader& reader) {
     light.up = reader.direction("up");
     light.fov = reader.number("fov");
     light.fov_axis = static_cast<scene::ProjectorFov>(reader.choice("fov_axis"));
-    light.image = read_picture(context, reader);
+    if (reader.has("image")) {
+        light.image = read_picture(context, reader);
+    }
     light.even = reader.flag("even");
     if (reader.good() && !unit_vector(glm::cross(light.direction, light.up))) {
         reader.error(reader.position(), "\"up\" must not point where the projector shines");

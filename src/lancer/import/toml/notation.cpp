@@ -43,7 +43,8 @@ std::span<const Table* const> shapes() {
 }
 
 std::span<const Table* const> lights() {
-    static const Table* const all[] = {&point_light(), &spot_light(), &directional_light(), &projector_light(), &goniometric_light(), &ies_light()};
+    static const Table* const all[] = {&point_light(),     &spot_light(),        &directional_light(),
+                                       &projector_light(), &goniometric_light(), &ies_light()};
     return all;
 }
 

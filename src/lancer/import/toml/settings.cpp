@@ -106,7 +106,8 @@ void read_sky(Context& context, const toml::node& node, bool has_background) {
     };
     const auto latitude = reader.number_if_written("latitude"), longitude = reader.number_if_written("longitude");
     const auto elevation = reader.number_if_written("elevation"), azimuth = reader.number_if_written("azimuth");
-    if (by_time == by_angles || (by_time && !has_all({"latitude", "longitude", "time"})) || (by_angles && !has_all({"elevation", "azimuth"}))) {
+    if (by_time == by_angles || (by_time && !has_all({"latitude", "longitude", "time"})) ||
+        (by_angles && !has_all({"elevation", "azimuth"}))) {
         reader.error(reader.position(), "[sky] needs either \"latitude\", \"longitude\" and \"time\", or \"elevation\" and \"azimuth\"");
     } else if (by_time) {
         const auto days = scene::days_since_2000(reader.text("time"));
@@ -117,7 +118,8 @@ void read_sky(Context& context, const toml::node& node, bool has_background) {
             sky.sun = scene::sun_direction(sun.elevation, sun.azimuth, heading);
             sky.distance = sun.distance;
             if (sun.elevation < -18.0) {
-                reader.error("time", fmt::format("the sun is {:.1f} degrees below the horizon: there is no light of it in the air", -sun.elevation));
+                reader.error(
+                    "time", fmt::format("the sun is {:.1f} degrees below the horizon: there is no light of it in the air", -sun.elevation));
             } else if (sun.elevation < 0.0) {
                 context.messages.note(reader.position("time"), fmt::format("the sun is {:.1f} degrees below the horizon", -sun.elevation));
             }

@@ -8,7 +8,8 @@
 
 NAMESPACE_BEGIN
 
-const float LEAST_SLANT = 0.05f;  // what a mirror makes of a grazing lamp is not weighed too low
+const float NEAREST_2 = 1.0f / 6.0f;  // see node_weight
+const float LEAST_SLANT = 0.05f;      // what a mirror makes of a grazing lamp is not weighed too low
 
 struct EmitterChoice {
     Int emitter;  // -1: none can be seen
@@ -99,7 +100,8 @@ FN Float node_weight(IN(LightNode) node, Vec3 from, Vec3 facing) {
     slant = select(node.twofold > Float(0.5f), abs(slant), slant);
     Vec2 off = angle_left(vec2_of(slant, sine_of(slant)), vec2_of(node.cos_spread, sine_of(node.cos_spread)));
     Float sent = angle_left(off, half_angle).x;
-    Float weight = node.power / max(max(distance_2, radius_2), Float(SMALLEST));
+    // Close to a node's emitters, or among them, some are nearer than its middle: by how much one takes them for nearer at most has been measured.
+    Float weight = node.power / max(max(distance_2, radius_2 * Float(NEAREST_2)), Float(SMALLEST));
     weight = select(sent >= node.cos_reach, weight * max(sent, Float(LEAST_SLANT)), Float(0.0f));
     Float rises = dot(towards, facing);
     Float taken = angle_left(vec2_of(rises, sine_of(rises)), half_angle).x;

@@ -125,7 +125,7 @@ FN EmitterSample emitter_sample(IN(WorldRecord) world, IN(EmitterRecord) emitter
         s = far_sample(from, sky.direction, sky.density, no);
     } else {
         s = point_sample(emitter, from);
-        if (is_thrown(emitter)) {
+        if (is_thrown(emitter) || (emitter.kind == EMITTER_SPOT && emitter.light.texture >= 0)) {
             s.point.uv = thrown_place(emitter, -s.direction).uv;
         }
     }

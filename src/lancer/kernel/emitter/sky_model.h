@@ -60,7 +60,8 @@ FN Float model_share(IN(WorldRecord) world, IN(ModelPlace) place, Float nanometr
     Float w = min(max((nanometres - Float(360.0f)) * Float(1.0f / MODEL_STEP), Float(0.0f)), Float(float(MODEL_WAVELENGTHS - 1)));
     Float shorter = min(floor(w), Float(float(MODEL_WAVELENGTHS - 2)));
     Float rest = w - shorter;
-    Int at = (place.azimuth * Int(MODEL_ELEVATIONS) + place.elevation) * Int(MODEL_WAVELENGTHS) + round_to_int(shorter) + Int(world.sky.model);
+    Int at =
+        (place.azimuth * Int(MODEL_ELEVATIONS) + place.elevation) * Int(MODEL_WAVELENGTHS) + round_to_int(shorter) + Int(world.sky.model);
     Int higher = Int(MODEL_WAVELENGTHS);
     Int farther = Int(MODEL_ELEVATIONS * MODEL_WAVELENGTHS);
     Float low = model_entry(world, at, rest, mask);

@@ -28,7 +28,7 @@ FN ThrownPlace thrown_place(IN(EmitterRecord) emitter, Vec3 way) {
     place.depth = dot(way, broadcast(emitter.direction));
     Float x = dot(way, broadcast(emitter.across));
     Float y = dot(way, broadcast(emitter.upwards));
-    if (emitter.kind == EMITTER_PROJECTOR) {
+    if (emitter.kind == EMITTER_PROJECTOR || emitter.kind == EMITTER_SPOT) {
         Float ahead = max(place.depth, Float(1.0e-6f));
         x = x / ahead;
         y = y / ahead;
