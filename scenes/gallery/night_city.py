@@ -42,7 +42,7 @@ def tower(x0, x1, z0, z1, height):
         nx, nz = -dz * -1, dx * -1  # outwards: to the right of the way round
         columns = max(int(length / 0.8), 1)
         for row in range(1, int(height / 0.9)):
-            lit = 0.22 if rng.random() < 0.85 else 0.7
+            lit = 0.13 if rng.random() < 0.9 else 0.6
             for column in range(columns):
                 if rng.random() > lit:
                     continue
@@ -57,8 +57,8 @@ def tower(x0, x1, z0, z1, height):
 
 
 BLOCK = 12.0
-for bx in range(-6, 7):
-    for bz in range(-9, 4):
+for bx in range(-5, 6):
+    for bz in range(-8, 3):
         cx, cz = bx * BLOCK, bz * BLOCK
         middle = max(0.0, 1.0 - ((bx - 1) ** 2 + (bz + 3) ** 2) / 40.0)
         for qx in (-1, 1):

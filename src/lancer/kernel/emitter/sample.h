@@ -4,7 +4,6 @@
 
 #include "lancer/kernel/emitter/area.h"
 #include "lancer/kernel/emitter/sky.h"
-#include "lancer/kernel/emitter/thrown.h"
 #include "lancer/kernel/frame.h"
 
 NAMESPACE_BEGIN
@@ -125,9 +124,6 @@ FN EmitterSample emitter_sample(IN(WorldRecord) world, IN(EmitterRecord) emitter
         s = far_sample(from, sky.direction, sky.density, no);
     } else {
         s = point_sample(emitter, from);
-        if (is_thrown(emitter) || (emitter.kind == EMITTER_SPOT && emitter.light.texture >= 0)) {
-            s.point.uv = thrown_place(emitter, -s.direction).uv;
-        }
     }
     return s;
 }
