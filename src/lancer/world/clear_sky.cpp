@@ -49,6 +49,7 @@ void compile_clear_sky(const scene::ClearSky& clear, double strength, World& wor
     sky.scale = static_cast<float>(strength);
     sky.width = picture_width;
     sky.height = picture_height;
+    sky.stretch = 1.0f;
     sky.sun = kernel::vec3(clear.sun);
     const std::vector<double> nanometres = model_wavelengths();
     const Atmosphere air(clear.turbidity, clear.ozone, clear.ground, nanometres);

@@ -1,9 +1,11 @@
 #include "lancer/import/toml/settings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "lancer/base/file.h"
 #include "lancer/import/toml/colors.h"
@@ -43,6 +45,28 @@ scene::Background read_colors(Context& context, TableReader& reader) {
     return gradient;
 }
 
+glm::dmat3 read_axes(TableReader& reader) {
+    const std::vector<glm::vec3> axes = reader.vectors3("axes");
+    if (axes.empty()) {
+        return glm::dmat3(1.0);  // said already
+    }
+    constexpr double tolerance = 1e-4;
+    glm::dmat3 result(1.0);
+    bool right = axes.size() == 3;
+    for (int i = 0; right && i < 3; ++i) {
+        result[i] = glm::dvec3(axes[static_cast<std::size_t>(i)]);
+        right = std::abs(glm::dot(result[i], result[i]) - 1.0) < tolerance;
+        for (int j = 0; j < i; ++j) {
+            right = right && std::abs(glm::dot(result[i], result[j])) < tolerance;
+        }
+    }
+    if (!right) {
+        reader.error("axes", "\"axes\" must be three directions of length 1, at right angles to one another");
+        return glm::dmat3(1.0);
+    }
+    return result;
+}
+
 scene::Background read_background_table(Context& context, TableReader& reader) {
     scene::Background result = read_colors(context, reader);
     const std::string file = reader.text("image");
@@ -60,8 +84,15 @@ scene::Background read_background_table(Context& context, TableReader& reader) {
         } else {
             reader.spoil();
         }
-    } else if (reader.has("rotation")) {
-        reader.error("rotation", "\"rotation\" turns an \"image\"; this background has none");
+    } else {
+        for (const char* key : {"rotation", "axes"}) {
+            if (reader.has(key)) {
+                reader.error(key, fmt::format("\"{}\" turns an \"image\"; this background has none", key));
+            }
+        }
+    }
+    if (reader.has("axes")) {
+        result.axes = read_axes(reader);
     }
     result.rotation = reader.number("rotation");
     result.strength = reader.number("strength");

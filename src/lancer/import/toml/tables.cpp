@@ -389,6 +389,8 @@ const Table& background() {
           "-z, its right half towards +x."},
          {"rotation", Kind::number, 0.0, Range{-36000.0, 36000.0}, "degrees",
           "Turns the image about the y axis, counter-clockwise as seen from above."},
+         {"axes", Kind::vectors3, none, Range{-1.0, 1.0}, "",
+          "Where x, y and z of the turned image lie: three directions of length 1, at right angles."},
          {"strength", Kind::number, 1.0, not_negative, "", "Times this."},
          {"visible", Kind::flag, true, any, "", "Whether the camera sees it, and not only what it lights (path)."}}};
     return table;
