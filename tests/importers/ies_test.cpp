@@ -87,7 +87,8 @@ TEST(Ies, SaysWhatIsWrong) {
 }
 
 TEST(Toml, ReadsLightsThatThrowPictures) {
-    const auto reading = testing::read_text("[[light]]\ntype = \"projector\"\nposition = [0, 0, 0]\nimage = \"nowhere.png\"\npower = [1, 1, 1]\n");
+    const auto reading =
+        testing::read_text("[[light]]\ntype = \"projector\"\nposition = [0, 0, 0]\nimage = \"nowhere.png\"\npower = [1, 1, 1]\n");
     EXPECT_FALSE(reading.scene);
     EXPECT_NE(reading.all().find("needs \"direction\" or \"look_at\""), std::string::npos) << reading.all();
     const auto nameless = testing::read_text("[[light]]\ntype = \"ies\"\nposition = [0, 0, 0]\npower = \"white\"\n");

@@ -27,13 +27,18 @@ bool SceneFiles::is_allowed(const std::string& path, const SourcePosition& named
     return true;
 }
 
+void SceneFiles::add_to_hash(const std::string& path, std::string_view bytes) {
+    hashes_.push_back(hash_bytes(bytes));
+    inputs_.push_back({path, to_hexadecimal(hashes_.back())});
+}
+
 std::optional<FileBytes> SceneFiles::open(const std::string& path, const SourcePosition& named_at) {
     if (!is_allowed(path, named_at)) {
         return std::nullopt;
     }
     auto bytes = read_file(path, named_at, diagnostics_);
     if (bytes) {
-        add_to_hash(bytes->view());
+        add_to_hash(path, bytes->view());
     }
     return bytes;
 }
@@ -77,7 +82,7 @@ std::optional<SpectralCurve> SceneFiles::curve(const std::string& path, const So
     const auto [found, is_new] = curves_.try_emplace(path);
     if (is_new) {
         if (const auto bytes = read_file(path, named_at, diagnostics_)) {
-            add_to_hash(bytes->view());
+            add_to_hash(path, bytes->view());
             if (const auto curves = parse_curves(bytes->view(), path, 1, SpectralCurve::Beyond::constant, diagnostics_)) {
                 found->second = curves->front();
             }
@@ -96,6 +101,11 @@ std::shared_ptr<const scene::Photometry> SceneFiles::photometry(const std::strin
         }
     }
     return found->second;
+}
+
+std::optional<VoxelFile> SceneFiles::voxels(const std::string& path, const VoxelWords& words, const SourcePosition& named_at) {
+    const auto bytes = open(path, named_at);
+    return bytes ? read_voxels(bytes->view(), path, words, named_at, diagnostics_) : std::nullopt;
 }
 
 std::string SceneFiles::hash() const {

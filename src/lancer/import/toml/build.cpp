@@ -9,6 +9,7 @@
 #include "lancer/import/toml/groups.h"
 #include "lancer/import/toml/lights.h"
 #include "lancer/import/toml/materials.h"
+#include "lancer/import/toml/media.h"
 #include "lancer/import/toml/settings.h"
 #include "lancer/scene/bounds.h"
 
@@ -86,6 +87,7 @@ void build(Context& context, const toml::table& root) {
     complain_about_unknown_sections(messages, root);
     read_cameras(context, root);
     read_settings(context, root);
+    read_media(context, root);
     Materials materials(context);
     materials.read_named(root);
     read_lights(context, root);
@@ -95,6 +97,7 @@ void build(Context& context, const toml::table& root) {
     }
 
     materials.warn_about_unused();
+    warn_about_unused_media(context);
     if (!shows_something(scene)) {
         messages.error(whole_file,
                        "there is nothing to see: the scene needs a shape, such as [[sphere]], or a [[place]] of a group with shapes");
@@ -106,9 +109,11 @@ void build(Context& context, const toml::table& root) {
     }
     check_reach(messages, scene.objects, scene.placements, groups);
     const bool shines = std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return m.emission.has_value(); });
-    if (scene.lights.empty() && !shines && !root.contains("background") && !root.contains("sky") && !root.contains("ambient")) {
+    const bool glows = std::any_of(scene.media.begin(), scene.media.end(),
+                                   [](const scene::Medium& m) { return m.emission.spectrum || m.emission.rgb != scene::Rgb(0.0); });
+    if (scene.lights.empty() && !shines && !glows && !root.contains("background") && !root.contains("sky") && !root.contains("ambient")) {
         messages.error(whole_file,
-                       "the scene is dark: it needs a [[light]], a material with `emission`, a [background] or `ambient` light");
+                       "the scene is dark: it needs a [[light]], a material or medium with `emission`, a [background] or `ambient` light");
         return;
     }
     if (scene.cameras.empty() && !messages.diagnostics().has_errors()) {
