@@ -39,11 +39,22 @@ std::vector<double> smooth_row(const World& world, int row) {
     return means;
 }
 
+// Integers are sRGB unless `linear`.
+Image decoded(StoredPixels stored, bool linear) {
+    const auto channels = static_cast<std::size_t>(stored.image.channels);
+    for (std::size_t i = 0; i < stored.image.pixels.size() && !linear && stored.bits != 0; ++i) {
+        const bool is_alpha = (channels == 2 || channels == 4) && i % channels == channels - 1;
+        stored.image.pixels[i] = is_alpha ? stored.image.pixels[i] : srgb_decode(stored.image.pixels[i]);
+    }
+    return std::move(stored.image);
+}
+
 // One black texel where it can't be read.
 void load_image(const scene::ImageTexture& image, World& world, Diagnostics& diagnostics) {
     Image pixels{1, 1, 1, {0.0f}};
     try {
-        pixels = read_image(image.file, image.linear ? Encoding::linear : Encoding::automatic);
+        pixels = image.bytes ? decoded(read_stored_pixels(*image.bytes, image.file), image.linear)
+                             : read_image(image.file, image.linear ? Encoding::linear : Encoding::automatic);
     } catch (const MachineFailure&) {
         throw;
     } catch (const std::runtime_error& problem) {

@@ -99,7 +99,7 @@ std::optional<scene::Texture> Textures::image(const TextureRecipe& texture) cons
     scene::ImageTexture image;
     image.position = Parameters::position_of(*parameter);
     image.file = find_file(context_, *name, *parameter->text);
-    context_.files.image(image.file, image.position);
+    context_.files.image(image, image.position);
     const std::string wrap = parameters.string("wrap", "repeat");
     image.wrap = wrap == "repeat" ? scene::Wrap::repeat : scene::Wrap::clamp;
     image.linear = parameters.string("encoding", "sRGB") == "linear";

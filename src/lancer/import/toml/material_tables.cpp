@@ -28,6 +28,7 @@ Table physical(std::string_view type, std::string_view help, std::vector<Key> ke
         {"opacity_cutoff", Kind::number, 0.0, share, "", "Above 0: it is there where the opacity is at least this, and nowhere else."});
     table.keys.push_back({"behind", Kind::material, none, any, "", "The material that is seen from within, instead of this one."});
     table.keys.push_back({"one_sided", Kind::flag, false, any, "", "Black when seen from within."});
+    table.keys.push_back({"open_behind", Kind::flag, false, any, "", "Not there when seen from within."});
     if (type != "mix") {
         table.keys.push_back({"normal_map", Kind::texture, glm::dvec3(0.5, 0.5, 1.0), share, "",
                               "Bends the normals: red along u, green along v, blue outwards, 0.5 standing for none."});

@@ -70,6 +70,7 @@ std::span<const Section> file_sections() {
                                                          {Form::named, "material", {materials().begin(), materials().end()}},
                                                          {Form::list, "group", {&group()}},
                                                          {Form::list, "place", {&place()}},
+                                                         {Form::list, "include", {&include()}},
                                                          {Form::color, "background", {&background()}},
                                                          {Form::color, "ambient", {&ambient()}},
                                                          {Form::single, "render", {&render()}}});

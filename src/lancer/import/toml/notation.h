@@ -34,10 +34,12 @@ enum class Kind {
     refraction,  // 1.5, "N-BK7", { index = 1.5, abbe_number = 60 }, { b = [...], c = [...] }
     material,    // a name, or a material written in place
     rotation,    // degrees about x, y, z; or { axis = [...], angle = ... }
+    matrix,      // twelve numbers: the upper three rows of a 4 x 4 matrix, one row after the other
     scale,       // 2 or [1, 2, 3]
     vectors3,    // a list of [x, y, z]
     vectors2,    // a list of [u, v]
     numbers,     // a list
+    texts,       // { name = "text", ... }
     triangles    // a list of [a, b, c], whole numbers from 0
 };
 
@@ -109,6 +111,7 @@ const Table& cone();
 const Table& mesh();
 const Table& place();
 const Table& group();
+const Table& include();
 const Table& background();
 const Table& ambient();
 const Table& render();

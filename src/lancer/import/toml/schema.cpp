@@ -80,6 +80,10 @@ Json value_schema(const Key& key) {
             return {{"anyOf", Json::array({Json{{"type", "string"}}, reference("material")})}};
         case Kind::rotation:
             return {{"anyOf", Json::array({list(numbers(key.range, "number"), 3), reference("axis_rotation")})}};
+        case Kind::matrix:
+            return list(numbers(key.range, "number"), 12);
+        case Kind::texts:
+            return {{"type", "object"}, {"additionalProperties", Json{{"type", "string"}}}};
         case Kind::scale:
             return {{"anyOf", Json::array({numbers(key.range, "number"), list(numbers(key.range, "number"), 3)})}};
         case Kind::vectors3:
@@ -179,7 +183,7 @@ Json definitions() {
     for (const Table* table : shapes()) {
         all[std::string(table->name)] = table_schema(*table);
     }
-    for (const Table* table : {&place(), &background(), &ambient(), &render()}) {
+    for (const Table* table : {&place(), &include(), &background(), &ambient(), &render()}) {
         all[std::string(table->name)] = table_schema(*table);
     }
 
