@@ -1,5 +1,6 @@
 // Scenes in our notation: what is written is read as the same scene, and makes the same picture.
 #include <algorithm>
+#include <cctype>
 
 #include "lancer/import/mesh/mesh_file.h"
 #include "rendered.h"
@@ -70,7 +71,7 @@ class OwnScenes : public ::testing::TestWithParam<std::string> {};
 TEST_P(OwnScenes, ConvertToTheSamePicture) { expect_same((source_folder() / "scenes" / GetParam()).string()); }
 
 // One for each reader and each kind of thing that a scene holds; the rest is label `slow`.
-INSTANTIATE_TEST_SUITE_P(, OwnScenes,
+INSTANTIATE_TEST_SUITE_P(Some, OwnScenes,
                          ::testing::Values("gltf/still-life.glb", "mitsuba/materials.xml", "mitsuba/still-life.xml", "meshes/gem.obj",
                                            "meshes/blob.ply", "features/principled.toml", "features/mixes.toml", "features/lamps.toml",
                                            "features/environment.toml", "features/groups.toml", "features/texture-options.toml",
@@ -79,7 +80,8 @@ INSTANTIATE_TEST_SUITE_P(, OwnScenes,
                                            "features/light-spot.toml", "features/metamers.toml", "report/figure-1.toml"),
                          [](const auto& param) {
                              std::string name = fs::path(param.param).stem().string() + fs::path(param.param).extension().string();
-                             std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+                             std::replace_if(
+                                 name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
                              return name;
                          });
 

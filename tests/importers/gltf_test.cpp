@@ -288,6 +288,17 @@ TEST(GltfErrors, CountsThatNoBytesExplain) {
     expect_refused(read_gltf_file(file), "far more memory");
 }
 
+// A data URI of 2 GB; of a file with a hole in it, so that the disk holds next to nothing.
+TEST(GltfErrors, DataThatIsTooLargeForText) {
+    const TemporaryFolder folder;
+    const std::string path =
+        folder.write("large.gltf", R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 2000000000, "uri": "data:;base64,)");
+    std::filesystem::resize_file(path, std::uintmax_t{2} << 30);
+    const Reading reading = read_path(path);
+    EXPECT_FALSE(reading.scene);
+    EXPECT_EQ(reading.messages.size(), 1u);
+}
+
 TEST(GltfErrors, BytesThatAreNotThere) {
     GltfFile file;
     file.triangle();

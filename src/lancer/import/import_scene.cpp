@@ -59,7 +59,7 @@ struct Format {
 };
 
 constexpr std::array formats = {
-    Format{".toml", read_toml},      Format{".gltf", read_gltf},      Format{".glb", read_gltf},  Format{".obj", read_obj_alone},
+    Format{".toml", read_toml},      Format{".gltf", read_gltf}, Format{".glb", read_gltf},    Format{".obj", read_obj_alone},
     Format{".ply", read_mesh_alone}, Format{".pbrt", read_pbrt}, Format{".xml", read_mitsuba},
 };
 
@@ -77,8 +77,8 @@ void read_scene(ImportContext& context, const SourcePosition& named_at, scene::S
     const std::string ending = file_ending(context.path);
     const auto format = std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.ending == ending; });
     if (format == formats.end()) {
-        context.diagnostics.error(named_at, fmt::format("cannot tell what \"{}\" is: scenes end with one of {}", context.path,
-                                                        fmt::join(scene_endings(), ", ")));
+        context.diagnostics.error(
+            named_at, fmt::format("cannot tell what \"{}\" is: scenes end with one of {}", context.path, fmt::join(scene_endings(), ", ")));
     } else if (context.files.enter(context.path, named_at)) {
         scene.file = context.path;
         format->read(context, scene);

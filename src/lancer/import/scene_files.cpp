@@ -62,7 +62,8 @@ std::shared_ptr<const scene::TriangleMesh> SceneFiles::mesh(const std::string& p
         if (const auto bytes = open(path, named_at)) {
             if (ending == ".meshes") {
                 parts = read_meshes(bytes->view(), path, diagnostics_);
-            } else if (auto mesh = ending == ".obj" ? read_obj(bytes->view(), path, diagnostics_) : read_ply(bytes->view(), path, diagnostics_)) {
+            } else if (auto mesh =
+                           ending == ".obj" ? read_obj(bytes->view(), path, diagnostics_) : read_ply(bytes->view(), path, diagnostics_)) {
                 parts.push_back(std::make_shared<const scene::TriangleMesh>(std::move(*mesh)));
             }
         }

@@ -24,7 +24,8 @@ public:
         : scene_(std::move(scene)), options_(options), diagnostics_(diagnostics) {}
 
     // Any file, read and hashed. In a sandbox, files outside the scene's folder are errors.
-    std::optional<FileBytes> open(const std::string& path, const SourcePosition& named_at, std::size_t limit = static_cast<std::size_t>(-1));
+    std::optional<FileBytes> open(const std::string& path, const SourcePosition& named_at,
+                                  std::size_t limit = static_cast<std::size_t>(-1));
 
     // The same, where the scene makes sense without the file: then it is a warning that ends with `without`.
     std::optional<FileBytes> open_or_warn(const std::string& path, const SourcePosition& named_at, const std::string& without);

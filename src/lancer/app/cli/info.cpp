@@ -144,7 +144,8 @@ void print_text(const scene::Scene& scene, const ImportReport& report, const Cou
     row("tracing", world.is_small() ? "all objects at once, in SIMD lanes" : "a bounding volume hierarchy");
 }
 
-nlohmann::ordered_json to_json(const scene::Scene& scene, const ImportReport& report, const Count& count, const World& world, const Diagnostics& diagnostics) {
+nlohmann::ordered_json to_json(const scene::Scene& scene, const ImportReport& report, const Count& count, const World& world,
+                               const Diagnostics& diagnostics) {
     nlohmann::ordered_json json = {
         {"scene", scene.file},
         {"hash", scene.hash},
@@ -199,7 +200,8 @@ int show_info(const std::string& path, ImportOptions options, bool as_json) {
     }
     const Count count = count_shapes(*scene);
     if (as_json) {
-        fmt::print("{}\n", to_json(*scene, report, count, *world, diagnostics).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        fmt::print("{}\n",
+                   to_json(*scene, report, count, *world, diagnostics).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     } else {
         print_text(*scene, report, count, *world);
     }

@@ -330,7 +330,8 @@ private:
 
 }  // namespace
 
-int make_material(Document& document, Textures& textures, Json material, bool has_colors, Wishes& wishes, std::vector<scene::Material>& all) {
+int make_material(Document& document, Textures& textures, Json material, bool has_colors, Wishes& wishes,
+                  std::vector<scene::Material>& all) {
     scene::Material made = MaterialMaker(document, textures, material, has_colors, wishes, all).make();
     all.push_back(std::move(made));
     return static_cast<int>(all.size()) - 1;

@@ -36,6 +36,7 @@ private:
 };
 
 // Adds a material of the file, and those that it mixes before it; its index. `has_colors`: of the primitive's vertices.
-int make_material(Document& document, Textures& textures, Json material, bool has_colors, Wishes& wishes, std::vector<scene::Material>& all);
+int make_material(Document& document, Textures& textures, Json material, bool has_colors, Wishes& wishes,
+                  std::vector<scene::Material>& all);
 
 }  // namespace lancer::gltf

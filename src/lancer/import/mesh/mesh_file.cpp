@@ -146,7 +146,8 @@ private:
         check_numbers(mesh.face_colors, number, "colour", std::numeric_limits<float>::max());
         for (const glm::uvec3& triangle : mesh.triangles) {
             if (std::max({triangle.x, triangle.y, triangle.z}) >= vertices) {
-                fail(fmt::format("mesh {}: a triangle names vertex {} of {}", number, std::max({triangle.x, triangle.y, triangle.z}), vertices));
+                fail(fmt::format("mesh {}: a triangle names vertex {} of {}", number, std::max({triangle.x, triangle.y, triangle.z}),
+                                 vertices));
                 return;
             }
         }

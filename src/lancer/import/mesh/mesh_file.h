@@ -19,6 +19,7 @@ std::string write_meshes(const std::vector<std::shared_ptr<const scene::Triangle
 
 // Nothing when there are errors: bytes of another kind, counts that the bytes don't explain, numbers that are not finite or beyond 1e15 m,
 // triangles that name vertices that are not there.
-std::vector<std::shared_ptr<const scene::TriangleMesh>> read_meshes(std::string_view bytes, const std::string& file, Diagnostics& diagnostics);
+std::vector<std::shared_ptr<const scene::TriangleMesh>> read_meshes(std::string_view bytes, const std::string& file,
+                                                                    Diagnostics& diagnostics);
 
 }  // namespace lancer

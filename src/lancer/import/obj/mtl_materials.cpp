@@ -37,8 +37,8 @@ public:
         for (const char* key : {"map_ka", "map_ns", "refl", "disp", "decal", "map_pc", "map_pcr"}) {
             if (const Map* map = from_.map(key)) {
                 const bool is_seen = std::string_view(key) != "map_ka";
-                context_.report.dropped(fmt::format("MTL {}", key), is_seen ? "lancer has nothing like it" : "ambient light finds its own way",
-                                        map->position, is_seen);
+                context_.report.dropped(fmt::format("MTL {}", key),
+                                        is_seen ? "lancer has nothing like it" : "ambient light finds its own way", map->position, is_seen);
             }
         }
         return material;
@@ -122,7 +122,8 @@ private:
     }
 
     bool has_physical_keys() const {
-        return std::any_of(std::begin(physical_keys), std::end(physical_keys), [&](const char* key) { return from_.numbers.contains(key); }) ||
+        return std::any_of(std::begin(physical_keys), std::end(physical_keys),
+                           [&](const char* key) { return from_.numbers.contains(key); }) ||
                from_.map("map_pr") != nullptr || from_.map("map_pm") != nullptr || from_.map("map_ps") != nullptr;
     }
 

@@ -18,8 +18,9 @@ std::string lower(std::string_view word) {
     return text;
 }
 
-constexpr std::array numbers_of = {"kd", "ka", "ks", "ke", "tf", "ns", "ni", "d", "tr", "illum", "pr", "pm", "ps", "pc", "pcr", "aniso", "anisor"};
-constexpr std::array maps_of = {"map_kd", "map_ka", "map_ks", "map_ke", "map_ns", "map_d",    "map_bump", "bump", "norm",
+constexpr std::array numbers_of = {"kd",    "ka", "ks", "ke", "tf", "ns",  "ni",    "d",     "tr",
+                                   "illum", "pr", "pm", "ps", "pc", "pcr", "aniso", "anisor"};
+constexpr std::array maps_of = {"map_kd", "map_ka", "map_ks", "map_ke", "map_ns", "map_d",  "map_bump", "bump",    "norm",
                                 "map_kn", "disp",   "refl",   "map_pr", "map_pm", "map_ps", "map_pc",   "map_pcr", "decal"};
 
 template <std::size_t count>
@@ -58,7 +59,8 @@ private:
             if (is_kept_) {
                 all_.push_back(std::move(material));
             } else {
-                messages_.warning(position.line, position.column, fmt::format("material {} comes again; the first counts", quoted(material.name)));
+                messages_.warning(position.line, position.column,
+                                  fmt::format("material {} comes again; the first counts", quoted(material.name)));
             }
         } else if (!contains(numbers_of, word) && !contains(maps_of, word)) {
             context_.report.dropped(fmt::format("MTL {}", quoted(written)), "lancer does not know it", position);
@@ -84,7 +86,8 @@ private:
                 continue;
             }
             if (!cursor_.read_number(value)) {
-                messages_.warning(cursor_.line(), cursor_.column(), fmt::format("{} needs numbers, not {}; left out", word, quoted(cursor_.word())));
+                messages_.warning(cursor_.line(), cursor_.column(),
+                                  fmt::format("{} needs numbers, not {}; left out", word, quoted(cursor_.word())));
                 return;
             }
             values.push_back(static_cast<double>(value));

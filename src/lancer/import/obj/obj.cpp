@@ -169,7 +169,7 @@ std::vector<FaceRange> all_faces(const Statements& statements) {
 
 std::optional<scene::TriangleMesh> read_obj(std::string_view bytes, const std::string& file, Diagnostics& diagnostics) {
     MeshMessages messages(file, diagnostics);
-    const Statements statements = obj::parse(bytes, messages);
+    const obj::Statements statements = obj::parse(bytes, messages);
     if (messages.has_errors()) {
         return std::nullopt;
     }

@@ -14,8 +14,7 @@ namespace lancer::obj {
 namespace {
 
 // Statements that say nothing about the shape of the faces, or that we leave out knowingly (SUPPORT.md).
-constexpr std::array passed_over = {"s",  "mg",    "usemap",   "maplib",   "vp",
-                                    "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj"};
+constexpr std::array passed_over = {"s", "mg", "usemap", "maplib", "vp", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj"};
 constexpr std::array not_faces = {"l", "p"};
 
 template <std::size_t count>

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -102,7 +103,8 @@ private:
         } else {
             scene_.materials.push_back({name, scene::DiffuseMaterial{}, {context_.path, 0, 0}});
             if (run.material != absent) {
-                context_.report.approximated(fmt::format("usemtl {}", quoted(name)), "grey: no .mtl file tells what it is", {context_.path, 0, 0});
+                context_.report.approximated(fmt::format("usemtl {}", lancer::quoted(name)), "grey: no .mtl file tells what it is",
+                                             {context_.path, 0, 0});
             }
         }
         return found->second;

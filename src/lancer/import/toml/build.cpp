@@ -127,7 +127,8 @@ void build(Context& context, const toml::table& root) {
     }
     check_reach(messages, scene.objects, scene.placements, groups);
     const bool shines = std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return m.emission.has_value(); });
-    const bool has_surroundings = std::any_of(included.begin(), included.end(), [](const Included& i) { return i.background || i.ambient; });
+    const bool has_surroundings =
+        std::any_of(included.begin(), included.end(), [](const Included& i) { return i.background || i.ambient; });
     if (!is_part && scene.lights.empty() && !shines && !has_surroundings && !root.contains("background") && !root.contains("ambient")) {
         messages.error(whole_file,
                        "the scene is dark: it needs a [[light]], a material with `emission`, a [background] or `ambient` light");

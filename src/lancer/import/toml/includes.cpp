@@ -77,6 +77,11 @@ public:
             return std::nullopt;
         }
         const std::string path = path_beside(context_.messages.file(), file);
+        std::error_code problem;
+        if (!std::filesystem::exists(path, problem)) {
+            reader.error("file", fmt::format("{}: no such file", path));
+            return std::nullopt;
+        }
         scene::Scene part;
         ImportContext inside{path, options, context_.files, context_.import.report, context_.messages.diagnostics()};
         read_scene(inside, reader.position("file"), part);

@@ -137,9 +137,9 @@ void read_lights(Context& context, const std::vector<Included>& included, const 
             continue;
         }
         const auto end = all.begin() + static_cast<std::ptrdiff_t>(others);
-        const auto same = read->light.name.empty()
-                              ? end
-                              : std::find_if(all.begin(), end, [&](const ReadLight& other) { return other.light.name == read->light.name; });
+        const auto same = read->light.name.empty() ? end : std::find_if(all.begin(), end, [&](const ReadLight& other) {
+            return other.light.name == read->light.name;
+        });
         if (same != end) {
             *same = std::move(*read);
         } else {

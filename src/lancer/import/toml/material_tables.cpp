@@ -113,7 +113,7 @@ const Table& principled_material() {
          {"metalness", Kind::value, 0.0, share, "", "From 0, none, to 1, a metal."},
          {"roughness", Kind::value, 0.3, share, "", "From 0, polished, to 1; its square is the width of the facets' slopes."},
          anisotropy,
-         {"refraction", Kind::number, 1.5, Range{1.0, 3.0}, "", "The refractive index of the base where it is no metal."},
+         {"refraction", Kind::number, 1.5, Range{1.0, 1000.0}, "", "The refractive index of the base where it is no metal."},
          {"specular", Kind::texture, glm::dvec3(1.0), share, "", "A tint of what the border of the base reflects; white in nature."},
          {"transmission", Kind::value, 0.0, share, "", "How much of the base is a clear body."},
          {"thin", Kind::flag, false, any, "", "A sheet without inside: what passes through is not bent."},
@@ -123,7 +123,7 @@ const Table& principled_material() {
          {"sheen", Kind::texture, origin, share, "", "Light from fine fibres, as of velvet."},
          {"sheen_roughness", Kind::value, 0.3, share, "", "Of the fibres."},
          {"film", Kind::value, 0.0, Range{0.0, 10000.0}, "nm", "The thickness of a film that shimmers in colours; 0 for none."},
-         {"film_refraction", Kind::number, 1.3, Range{1.0, 3.0}, "", "The refractive index of the film."}});
+         {"film_refraction", Kind::number, 1.3, Range{1.0, 10.0}, "", "The refractive index of the film."}});
     return table;
 }
 

@@ -40,8 +40,9 @@ Table light(std::string_view type, std::string_view what, std::string_view help,
                 {{"type", Kind::choice, none, any, "", "What kind of light it is.", true, {type}}, name_key("A name, for messages.")}};
     table.keys.insert(table.keys.end(), keys.begin(), keys.end());
     table.keys.push_back({"color", Kind::color, glm::dvec3(1.0), not_negative, "", "The colour of its light."});
-    table.keys.push_back({"power", Kind::color, none, not_negative, type == "directional" ? "W/m^2" : "W/sr",
-                          "For physical scenes: what it gives, weighed by the eye; and its colour. There it stands for color and intensity."});
+    table.keys.push_back(
+        {"power", Kind::color, none, not_negative, type == "directional" ? "W/m^2" : "W/sr",
+         "For physical scenes: what it gives, weighed by the eye; and its colour. There it stands for color and intensity."});
     table.keys.push_back(
         {"intensity", Kind::number, none, Range{0.0, 1e6}, "",
          "Its share of the light. The shares of all lights sum to 1; when they do not, they are scaled. Lights without one "
@@ -255,9 +256,11 @@ const Table& include() {
     static const Table table{
         "include",
         "an include",
-        "Another scene file, of any format that can be read, as a part of this one. What this file gives a name that the other one uses, too, "
+        "Another scene file, of any format that can be read, as a part of this one. What this file gives a name that the other one uses, "
+        "too, "
         "is meant in both: materials, lights, cameras.",
-        {{"file", Kind::file, none, any, "", "The scene: .toml, .gltf, .glb, .pbrt, .xml, .obj or .ply, seen from the scene file's folder.", true},
+        {{"file", Kind::file, none, any, "", "The scene: .toml, .gltf, .glb, .pbrt, .xml, .obj or .ply, seen from the scene file's folder.",
+          true},
          name_key("With a name it is a group: not seen until a [[place]] names it, and its lights and cameras are left out."),
          {"material", Kind::material, none, any, "", "Replaces the materials of everything in it."},
          {"lights", Kind::flag, true, any, "", "Whether its lights and surroundings shine here; shapes that are lamps always do."},
@@ -358,14 +361,7 @@ const Table& background() {
          {"image", Kind::file, none, any, "",
           "A latitude-longitude picture, twice as wide as high, best an .exr or .hdr; instead of colors. Its middle lies along "
           "-z, its right half towards +x."},
-         {"encoding",
-          Kind::choice,
-          "srgb",
-          any,
-          "",
-          "How 8 and 16 bits store colours in the image.",
-          false,
-          {"srgb", "linear"}},
+         {"encoding", Kind::choice, "srgb", any, "", "How 8 and 16 bits store colours in the image.", false, {"srgb", "linear"}},
          {"rotation", Kind::number, 0.0, Range{-36000.0, 36000.0}, "degrees",
           "Turns the image about the y axis, counter-clockwise as seen from above."},
          {"strength", Kind::number, 1.0, not_negative, "", "Times this."},

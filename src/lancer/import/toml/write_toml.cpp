@@ -74,8 +74,8 @@ std::vector<std::string> names_of(const std::vector<Thing>& things) {
     return names;
 }
 
-std::string write_contents(WriteContext& context, const std::vector<scene::Object>& objects, const std::vector<scene::Placement>& placements,
-                           const std::string& prefix) {
+std::string write_contents(WriteContext& context, const std::vector<scene::Object>& objects,
+                           const std::vector<scene::Placement>& placements, const std::string& prefix) {
     std::string text;
     for (const scene::Object& object : objects) {
         text += write_object(context, object, prefix);
@@ -96,7 +96,11 @@ WrittenScene write_toml(const scene::Scene& written, const std::string& path) {
     static_cast<void>(hash);
     const std::filesystem::path target(path);
     WrittenScene result;
-    WriteContext context{written, target.parent_path(), target.stem().string(), result, distinct_names(names_of(materials), "material"),
+    WriteContext context{written,
+                         target.parent_path(),
+                         target.stem().string(),
+                         result,
+                         distinct_names(names_of(materials), "material"),
                          distinct_names(names_of(groups), "group")};
     const std::string origin = std::filesystem::path(file).filename().string();
     std::string& text = result.toml;
