@@ -43,7 +43,7 @@ void read_mesh_alone(ImportContext& context, scene::Scene& scene) {
         return;
     }
     const SourcePosition position{context.path, 0, 0};
-    scene.materials.push_back({{}, scene::WhittedMaterial{}, position});
+    scene.materials.push_back({{}, scene::WhittedMaterial{}, position, std::nullopt, true});
     scene.objects.push_back({{}, mesh, 0, glm::dmat4(1.0), position});
     add_view(context, scene);
 }

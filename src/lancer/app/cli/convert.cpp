@@ -44,8 +44,11 @@ int convert_scene(const Arguments& arguments) {
     ImportReport report;
     const auto scene = diagnostics.has_errors() ? std::nullopt : import_scene(arguments.scene, arguments.options, report, diagnostics);
     tell_report(report, arguments.scene, diagnostics);
+    if (scene && scene->objects.empty() && scene->placements.empty()) {
+        diagnostics.error({arguments.scene, 0, 0}, "there is nothing to see in this scene, and nothing to write");
+    }
     print_diagnostics(diagnostics, arguments.quiet);
-    if (!scene) {
+    if (!scene || diagnostics.has_errors()) {
         return exit_bad_input;
     }
     const WrittenScene written = write_toml(*scene, arguments.output);

@@ -99,7 +99,7 @@ private:
         if (run.material != absent && written != written_.end()) {
             scene_.materials.push_back(make_material(written->second.first, written->second.second, context_));
         } else if (statements_.materials.empty()) {
-            scene_.materials.push_back({{}, scene::WhittedMaterial{}, {context_.path, 0, 0}});  // a shape and no more
+            scene_.materials.push_back({{}, scene::WhittedMaterial{}, {context_.path, 0, 0}, std::nullopt, true});  // a shape and no more
         } else {
             scene_.materials.push_back({name, scene::DiffuseMaterial{}, {context_.path, 0, 0}});
             if (run.material != absent) {

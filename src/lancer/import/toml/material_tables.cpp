@@ -24,8 +24,8 @@ Table physical(std::string_view type, std::string_view help, std::vector<Key> ke
     table.keys.push_back({"emission_strength", Kind::number, 1.0, not_negative, "", "Multiplies emission."});
     table.keys.push_back({"emission_sides", Kind::choice, "front", any, "", "Whether it shines outwards only.", false, {"front", "both"}});
     table.keys.push_back({"opacity", Kind::value, 1.0, share, "", "How much of it is there; light passes by the rest."});
-    table.keys.push_back(
-        {"opacity_cutoff", Kind::number, 0.0, share, "", "Above 0: it is there where the opacity is at least this, and nowhere else."});
+    table.keys.push_back({"opacity_cutoff", Kind::number, 0.0, not_negative, "",
+                          "Above 0: it is there where the opacity is at least this, and nowhere else."});
     table.keys.push_back({"behind", Kind::material, none, any, "", "The material that is seen from within, instead of this one."});
     table.keys.push_back({"one_sided", Kind::flag, false, any, "", "Black when seen from within."});
     table.keys.push_back({"open_behind", Kind::flag, false, any, "", "Not there when seen from within."});
@@ -40,7 +40,8 @@ Table physical(std::string_view type, std::string_view help, std::vector<Key> ke
 }
 
 const Key roughness{"roughness", Kind::value, 0.0, share, "", "From 0, polished, to 1; its square is the width of the facets' slopes."};
-const Key anisotropy{"anisotropy", Kind::value, 0.0, Range{0.0, 1.0}, "", "How much smoother the surface is along u than along v."};
+const Key anisotropy{"anisotropy",        Kind::value, 0.0,
+                     Range{-1000.0, 1.0}, "",          "How much smoother the surface is along u than along v; below 0, rougher."};
 
 }  // namespace
 
