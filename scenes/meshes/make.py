@@ -6,7 +6,7 @@
     gem.obj          a round brilliant: 57 facets and a faceted girdle
     vase.obj         a turned vase, with normals and texture coordinates
     goblet.ply, wine.ply  a wine glass of height 2.2, and what is in it: wine that reaches a little into the glass; binary, with normals
-    still-life.obj   a table with a bowl, fruit, a mirror and a lamp, with the materials of still-life.mtl
+    still-life.obj   a table with a bowl, fruit, a mirror and a vase, with the materials of still-life.mtl
     pawn.ply, queen.ply, bishop.ply, king.ply, rook.ply   turned chessmen; binary, with normals
 """
 import math
@@ -281,9 +281,8 @@ def still_life():
         return [[radius * math.sin(math.pi * i / 8), radius - radius * math.cos(math.pi * i / 8)] for i in range(9)]
 
     sheet("table", "wood", [-2.4, 0, 1.6], [4.8, 0, 0], [0, 0, -3.2], 2)
-    sheet("wall", "plaster", [-6, -1, -1.8], [12, 0, 0], [0, 6, 0])
-    sheet("mirror", "mirror", [-2.1, 0.05, -1.3], [1.9, 0, -0.35], [0, 1.9, -0.12])
-    sheet("lamp", "lamp", [0.6, 3.6, -0.8], [1.6, 0, 0], [0, 0, 1.6])
+    sheet("wall", "plaster", [-2.4, 0, -1.6], [4.8, 0, 0], [0, 2.6, 0])
+    sheet("mirror", "mirror", [-2.1, 0.05, -1.2], [1.9, 0, -0.2], [0, 1.9, -0.1])
     bowl = [[0, 0], [0.3, 0], [0.3, 0], [0.32, 0.03], [0.55, 0.12], [0.8, 0.36], [0.86, 0.5], [0.86, 0.5], [0.82, 0.5], [0.82, 0.5], [0.74, 0.36],
             [0.5, 0.17], [0, 0.12]]
     turned("bowl", "glaze", bowl, [0.15, 0, 0.1])
@@ -315,10 +314,6 @@ newmtl mirror
 Kd 0 0 0
 Ks 0.92 0.92 0.92
 illum 3
-
-newmtl lamp
-Kd 0 0 0
-Ke 22 20 17
 
 newmtl glaze
 Kd 0.05 0.16 0.4
