@@ -65,6 +65,9 @@ public:
             return std::vector<Pixel>(static_cast<std::size_t>(width * height));
         }
         scene::Scene scene = *reading.scene;
+        if (width > height) {
+            scene.cameras.front().fov_axis = scene::FovAxis::width;  // a strip across the middle
+        }
         scene.background = {sky, sky, sky};
         scene.settings.rgb = true;
         scene.settings.filter = scene::PixelFilter::box;

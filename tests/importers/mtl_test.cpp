@@ -45,7 +45,7 @@ TEST(Mtl, MattSurfaces) {
     const Obj obj = read_obj_with("newmtl m\nKd .5 0.25 1.5\nillum 1\n");
     const auto& color = std::get<scene::Color>(obj.model<scene::DiffuseMaterial>().color);
     EXPECT_EQ(color.rgb, scene::Rgb(0.5, 0.25, 1.0));
-    EXPECT_TRUE(obj.tells(Treatment::approximated, "Kd above 1")) << "no surface gives back more than it gets";
+    EXPECT_TRUE(obj.tells(Treatment::approximated, "kd above 1")) << "no surface gives back more than it gets";
     EXPECT_EQ(obj.scene->lights.size(), 0u);
     EXPECT_GT(obj.scene->background.zenith.rgb.x, 0.0) << "neutral surroundings";
 }

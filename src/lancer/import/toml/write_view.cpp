@@ -142,7 +142,9 @@ std::string write_background(WriteContext& context, const scene::Background& bac
     const auto& [zenith, horizon, nadir, image, rotation, strength, visible] = background;
     Fields fields;
     if (image) {
-        fields.raw("image", write_texture(context, *image));
+        // Of a picture all around, no more than these two matter.
+        fields.text("image", write_picture(context, *image));
+        fields.text("encoding", image->linear ? "linear" : "srgb", "srgb");
         fields.number("rotation", rotation, 0.0);
     } else if (zenith == horizon && nadir == horizon) {
         fields.raw("color", write_color(horizon));
