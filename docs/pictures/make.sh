@@ -52,7 +52,7 @@ picture camera-tele features/camera --camera tele --size 480x270
 for scene in sphereflake chess glassware city; do
     picture "$scene" "gallery/$scene" "${small[@]}"
 done
-for scene in metals clear-bodies plastics principled depth-of-field lamps; do
+for scene in metals clear-bodies plastics principled facets burley depth-of-field lamps; do
     picture "$scene" "features/$scene" "${small[@]}"
 done
 picture metamers features/metamers --size 960x400
@@ -90,4 +90,6 @@ aov direct direct.R,direct.G,direct.B --mulc 2 "${encoded[@]}"
 aov indirect indirect.R,indirect.G,indirect.B --mulc 2 "${encoded[@]}"
 [ ${#wanted[@]} -gt 0 ] && [[ " ${wanted[*]} " != *" mitsuba "* ]] ||
     "$lancer" render scenes/mitsuba/still-life.xml -o docs/pictures/mitsuba.png --size 640x360 --progress plain 2>/dev/null
+[ ${#wanted[@]} -gt 0 ] && [[ " ${wanted[*]} " != *" pbrt "* ]] ||
+    "$lancer" render scenes/pbrt/still-life.pbrt -o docs/pictures/pbrt.png --size 640x360 --progress plain 2>/dev/null
 picture gltf gltf/still-life.glb --size 480x320 --spp 96

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "lancer/image/image.h"
 #include "lancer/import/import.h"
 #include "reading.h"
 
@@ -199,6 +200,88 @@ TEST_F(Mitsuba, CubesPointOutwards) {
         EXPECT_GT(glm::dot(normal, middle), 0.0f);
         EXPECT_GT(glm::dot(normal, mesh.normals[t.x]), 0.0f);
     }
+}
+
+// ---- Surfaces and light -------------------------------------------------------------------------------------------------------------
+
+TEST_F(Mitsuba, RoughSurfacesHaveMitsubasFacets) {
+    const scene::Scene scene = good(R"(<shape type="sphere"><bsdf type="roughconductor"><float name="alpha_u" value="0.25"/>
+        <float name="alpha_v" value="0.05"/><string name="distribution" value="ggx"/><spectrum name="eta" value="0.5"/>
+        <rgb name="k" value="1, 2, 3"/></bsdf></shape>
+        <shape type="sphere"><bsdf type="roughplastic"/></shape>)");
+    const auto& metal = std::get<scene::ConductorMaterial>(scene.materials.at(0).model);
+    EXPECT_EQ(metal.facets, (scene::Facets{scene::Facets::Distribution::ggx, true, true}));
+    // What the world makes of it: alpha = r^2 sqrt(1 - 0.9 a) along u.
+    const double r_2 = metal.roughness.number * metal.roughness.number, aspect = std::sqrt(1.0 - 0.9 * metal.anisotropy.number);
+    EXPECT_NEAR(r_2 * aspect, 0.25, 1e-12);
+    EXPECT_NEAR(r_2 / aspect, 0.05, 1e-12);
+    EXPECT_EQ(std::get<scene::Rgb>(metal.n.value()), scene::Rgb(0.5));
+    EXPECT_EQ(std::get<scene::Rgb>(metal.k.value()), scene::Rgb(1, 2, 3));
+    const auto& plastic = std::get<scene::PlasticMaterial>(scene.materials.at(1).model);
+    EXPECT_EQ(plastic.facets, (scene::Facets{scene::Facets::Distribution::beckmann, true, true}));
+    EXPECT_NEAR(plastic.roughness.number, std::sqrt(0.1), 1e-12);
+}
+
+TEST_F(Mitsuba, ThePrincipledPairIsBurleys) {
+    const scene::Scene scene = good(R"(<shape type="sphere"><bsdf type="principled"><float name="specular" value="0.7"/>
+        <float name="sheen" value="0.4"/><texture name="clearcoat" type="checkerboard"/></bsdf></shape>
+        <shape type="sphere"><bsdf type="principledthin"><float name="diff_trans" value="1.4"/></bsdf></shape>)");
+    const auto& thick = std::get<scene::BurleyMaterial>(scene.materials.at(0).model);
+    EXPECT_NEAR(thick.refraction, 2.0 / (1.0 - std::sqrt(0.056)) - 1.0, 1e-12);
+    EXPECT_EQ(thick.sheen.number, 0.4);
+    EXPECT_TRUE(thick.coat.texture);
+    const auto& thin = std::get<scene::BurleyMaterial>(scene.materials.at(1).model);
+    EXPECT_TRUE(thin.thin);
+    EXPECT_EQ(thin.passes.number, 0.7);
+    EXPECT_EQ(thin.refraction, 1.5);
+}
+
+TEST_F(Mitsuba, SpectraStaySpectra) {
+    const scene::Scene scene =
+        good(R"(<shape type="sphere"><bsdf type="diffuse"><spectrum name="reflectance" value="400:0.2, 700:0.8"/></bsdf>
+        <emitter type="area"><spectrum name="radiance" value="2"/></emitter></shape>)");
+    const auto& color = std::get<scene::Color>(std::get<scene::DiffuseMaterial>(scene.materials.at(0).model).color);
+    ASSERT_TRUE(color.spectrum);
+    EXPECT_EQ(std::get<scene::MeasuredSpectrum>(color.spectrum->shape).values, (std::vector<double>{0.0, 0.2, 0.8, 0.0}));
+    const auto& light = std::get<scene::Color>(scene.materials.at(0).emission.value().radiance);
+    ASSERT_TRUE(light.spectrum);
+    EXPECT_EQ(std::get<scene::MeasuredSpectrum>(light.spectrum->shape).values, (std::vector<double>{2.0, 2.0}));
+}
+
+TEST_F(Mitsuba, SkiesAreTurnedAndMirrored) {
+    folder_.write("sky.pfm", std::string("PF\n2 1\n-1.0\n") + std::string(24, '\0'));
+    const std::string text = R"(<emitter type="envmap"><string name="filename" value="sky.pfm"/><float name="scale" value="3"/>
+        <transform name="to_world">)";
+    const scene::Scene scene = good(text + R"(<rotate x="1" angle="90"/><scale x="-2" y="2" z="2"/></transform></emitter>)");
+    ASSERT_TRUE(scene.background.image);
+    EXPECT_EQ(scene.background.rotation, 180.0);
+    EXPECT_EQ(scene.background.strength, 3.0);
+    EXPECT_NEAR(glm::distance(scene.background.axes[0], glm::dvec3(-1, 0, 0)), 0.0, 1e-12);
+    EXPECT_NEAR(glm::distance(scene.background.axes[1], glm::dvec3(0, 0, 1)), 0.0, 1e-12);
+    EXPECT_NEAR(glm::distance(scene.background.axes[2], glm::dvec3(0, -1, 0)), 0.0, 1e-12);
+    expect_error(text + R"(<rotate z="1" angle="45"/><scale x="3"/><rotate z="1" angle="20"/></transform></emitter>)", "not squeezed");
+}
+
+TEST_F(Mitsuba, CheckersOfAnyShape) {
+    const scene::Scene scene = good(R"(<shape type="sphere"><bsdf type="diffuse"><texture name="reflectance" type="checkerboard">
+        <transform name="to_uv"><scale x="4" y="2"/><translate x="0.25"/></transform></texture></bsdf></shape>)");
+    const auto& image = std::get<scene::ImageTexture>(std::get<scene::DiffuseMaterial>(scene.materials.at(0).model).color);
+    EXPECT_EQ(image.filter, scene::Filter::nearest);
+    EXPECT_EQ(image.scale, glm::dvec2(4, 2));
+    ASSERT_TRUE(image.bytes);
+    const Image squares = read_image(*image.bytes, image.file, Encoding::linear);
+    EXPECT_NEAR(double(squares.pixels.at(0)), 0.4, 1e-6);
+    EXPECT_NEAR(double(squares.pixels.at(3)), 0.2, 1e-6);
+}
+
+TEST_F(Mitsuba, WidthsOfFacetsFromATexture) {
+    const scene::Scene scene = good(R"(<shape type="sphere"><bsdf type="roughconductor"><texture name="alpha" type="checkerboard">
+        <float name="color0" value="0.04"/><float name="color1" value="0.25"/></texture></bsdf></shape>)");
+    const auto& roughness = std::get<scene::ConductorMaterial>(scene.materials.at(0).model).roughness;
+    ASSERT_TRUE(roughness.texture);
+    const auto& checker = std::get<scene::Checker>(*roughness.texture);
+    EXPECT_NEAR(checker.first.x, 0.5, 1e-12) << "numbers the other way round than colours, as Mitsuba has it";
+    EXPECT_NEAR(checker.second.x, 0.2, 1e-12);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <glm/geometric.hpp>
 
+#include "lancer/image/image.h"
 #include "reading.h"
 
 namespace lancer {
@@ -146,6 +147,17 @@ TEST(Pbrt, SubdividesToASmoothSurface) {
     }
 }
 
+TEST(Pbrt, TakesOverWhatVersion3Says) {
+    const Reading r = read_pbrt_text(
+        "Film \"image\" \"integer xresolution\" [70] \"integer yresolution\" [50]\nWorldBegin\n"
+        "Material \"matte\" \"color Kd\" [.1 .2 .3]\nShape \"sphere\"\n"
+        "LightSource \"point\" \"color I\" [1 1 1]\nWorldEnd\n");
+    ASSERT_TRUE(r.scene) << r.all();
+    EXPECT_NE(r.all().find("version 3"), std::string::npos) << r.all();
+    const auto& matte = std::get<scene::DiffuseMaterial>(r.scene->materials.at(0).model);
+    EXPECT_EQ(std::get<scene::Color>(matte.color), scene::Color(0.1, 0.2, 0.3));
+}
+
 TEST(Pbrt, TexturesThatNeedThemselvesAreErrors) {
     const Reading r = read_pbrt_text(
         "WorldBegin\n" + lit +
@@ -175,6 +187,78 @@ TEST(Pbrt, BlocksThatAreClosedWronglyAreErrors) {
     ASSERT_FALSE(r.scene);
     EXPECT_NE(r.all().find(":3:1: error: TransformEnd: what is open was begun at"), std::string::npos) << r.all();
     EXPECT_NE(r.all().find(":5:1: error: AttributeEnd: nothing is open here"), std::string::npos) << r.all();
+}
+
+TEST(Pbrt, MetalsKeepTheirIndices) {
+    const Reading r = read_pbrt_text("WorldBegin\n" + lit +
+                                     "Material \"conductor\" \"rgb eta\" [.2 .9 1.1] \"spectrum k\" [400 2 700 3] \"float roughness\" .09 "
+                                     "\"bool remaproughness\" false\nShape \"sphere\"\n");
+    ASSERT_TRUE(r.scene) << r.all();
+    const auto& metal = std::get<scene::ConductorMaterial>(r.scene->materials.at(0).model);
+    EXPECT_NEAR(glm::distance(std::get<scene::Rgb>(metal.n.value()), scene::Rgb(0.2, 0.9, 1.1)), 0.0, 1e-9);
+    EXPECT_EQ(std::get<scene::MeasuredSpectrum>(metal.k.value()).values, (std::vector<double>{2.0, 3.0}));
+    EXPECT_NEAR(metal.roughness.number, 0.3, 1e-12);
+    EXPECT_EQ(metal.facets, (scene::Facets{scene::Facets::Distribution::ggx, false, true})) << "pbrt loses light, with correlated heights";
+}
+
+TEST(Pbrt, MixesAndCutOutShapes) {
+    const Reading r = read_pbrt_text("WorldBegin\n" + lit +
+                                     "MakeNamedMaterial \"a\" \"string type\" \"diffuse\"\nMakeNamedMaterial \"b\" \"string type\" \"mix\" "
+                                     "\"string materials\" [\"a\" \"c\"] \"float amount\" .25\n"
+                                     "MakeNamedMaterial \"c\" \"string type\" \"conductor\"\n"
+                                     "NamedMaterial \"b\"\nShape \"sphere\" \"float alpha\" .5\n");
+    ASSERT_TRUE(r.scene) << r.all();
+    const scene::Material& mixed = r.scene->materials.at(0);
+    const auto& mix = std::get<scene::MixMaterial>(mixed.model);
+    EXPECT_EQ(mix.share.number, 0.25);
+    EXPECT_EQ(mixed.opacity.number, 0.5);
+    EXPECT_TRUE(std::holds_alternative<scene::ConductorMaterial>(r.scene->materials.at(static_cast<std::size_t>(mix.second)).model));
+    const Reading circle = read_pbrt_text("WorldBegin\n" + lit +
+                                          "MakeNamedMaterial \"b\" \"string type\" \"mix\" \"string materials\" [\"b\" \"b\"]\n"
+                                          "NamedMaterial \"b\"\nShape \"sphere\"\n");
+    EXPECT_FALSE(circle.scene);
+}
+
+TEST(Pbrt, TexturesOfTexturesBecomePictures) {
+    const TemporaryFolder folder;
+    const float half[12] = {0.5f, 0.5f, 0.5f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f};
+    folder.write("p.pfm", std::string("PF\n2 2\n-1.0\n") + std::string(reinterpret_cast<const char*>(half), sizeof half));
+    const Reading r = read_path(
+        folder.write("scene.pbrt", "WorldBegin\n" + lit +
+                                       "Texture \"p\" \"spectrum\" \"imagemap\" \"string filename\" \"p.pfm\" \"float uscale\" 3\n"
+                                       "Texture \"q\" \"spectrum\" \"scale\" \"texture tex\" \"p\" \"float scale\" .5\n"
+                                       "Material \"diffuse\" \"texture reflectance\" \"q\"\nShape \"sphere\"\n"));
+    ASSERT_TRUE(r.scene) << r.all();
+    const auto& texture = std::get<scene::ImageTexture>(std::get<scene::DiffuseMaterial>(r.scene->materials.at(0).model).color);
+    ASSERT_TRUE(texture.bytes);
+    EXPECT_EQ(texture.scale, glm::dvec2(3, 1));
+    const Image picture = read_image(*texture.bytes, texture.file, Encoding::linear);
+    ASSERT_EQ(picture.width, 2);
+    EXPECT_NEAR(double(picture.pixels.at(6)), 0.25, 1e-6) << "the lower left pixel";
+    EXPECT_NEAR(double(picture.pixels.at(9)), 0.5, 1e-6);
+}
+
+// One white pixel of a square of equal areas, and of latitudes and longitudes: where it is met.
+TEST(Pbrt, SkiesOfPicturesOfBothLayouts) {
+    const TemporaryFolder folder;
+    std::string square = "PF\n8 8\n-1.0\n";
+    const float bright[3] = {1.0f, 1.0f, 1.0f};
+    const std::size_t head = square.size();
+    square.resize(head + 8 * 8 * 12, '\0');
+    for (const std::size_t i : {27u, 28u, 35u, 36u}) {  // the middle: +z
+        square.replace(head + i * 12, 12, reinterpret_cast<const char*>(bright), 12);
+    }
+    folder.write("square.pfm", square);
+    const Reading r = read_path(folder.write("scene.pbrt",
+                                             "WorldBegin\nRotate -90 1 0 0\nLightSource \"infinite\" \"string filename\" \"square.pfm\"\n"
+                                             "Shape \"sphere\"\n"));
+    ASSERT_TRUE(r.scene) << r.all();
+    ASSERT_TRUE(r.scene->background.image);
+    const scene::ImageTexture& image = *r.scene->background.image;
+    const Image picture = read_image(*image.bytes, image.file, Encoding::linear);
+    ASSERT_EQ(picture.width, 2 * picture.height);
+    EXPECT_GT(picture.pixels.front(), 0.9f) << "the top row: turned up, +z is +y";
+    EXPECT_EQ(picture.pixels.back(), 0.0f);
 }
 
 }  // namespace

@@ -311,7 +311,7 @@ const Mistake settings[] = {
     {"NoSky", "[background]\nimage = 'nothing.hdr'\n", {":2:9: error: cannot read \"nothing.hdr\": there is no such file"}},
     {"TurnedColor",
      "[background]\ncolor = 'red'\nrotation = 30\n",
-     {":3:12: error: \"rotation\" is said of an \"image\"; this background has none"}},
+     {":3:12: error: \"rotation\" turns an \"image\"; this background has none"}},
     {"NegativeStrength", "[background]\ncolor = 'red'\nstrength = -1\n", {":3:12: error: \"strength\" must be at least 0, not -1"}},
     {"DiffuseBounces", "[render]\ndiffuse_bounces = -1\n", {":2:19: error: \"diffuse_bounces\" must be from 0 to 1024, not -1"}},
     {"DirectSamples",

@@ -622,5 +622,23 @@ TEST(Toml, EverySceneOfTheProjectIsFine) {
     }
 }
 
+TEST(Toml, FacetsAndIndicesAsOtherProgramsHaveThem) {
+    const Reading reading = read_text(R"(
+[[sphere]]
+material = { type = "conductor", n = [0.2, 0.9, 1.1], k = 3, color = [1, 0.5, 0.5], facets = "beckmann", facet_light = "lost", anisotropy = -4 }
+[[sphere]]
+material = { type = "plastic", facet_shadows = "separate" }
+[[sphere]]
+material = { type = "burley", thin = true, passes = 0.3, specular_tint = 0.5 }
+[background]
+image = "sky.pfm"
+axes = [[0, 0, -1], [0, 1, 0], [1, 0, 0]]
+)");
+    EXPECT_EQ(reading.all().find("conductor"), std::string::npos) << reading.all();
+    EXPECT_NE(reading.all().find("sky.pfm"), std::string::npos) << "only the picture is not there: " << reading.all();
+    const Reading skewed = read_text("[background]\nimage = \"sky.pfm\"\naxes = [[0, 0, -1], [0, 1, 0], [0, 1, 0]]\n");
+    EXPECT_NE(skewed.all().find("at right angles"), std::string::npos) << skewed.all();
+}
+
 }  // namespace
 }  // namespace lancer

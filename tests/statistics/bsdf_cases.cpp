@@ -121,6 +121,52 @@ BsdfCase principled(const Spectrum& color, float alpha, const Layers& layers) {
     return p;
 }
 
+// As other programs have their facets: each direction by itself, and what meets several of them is lost.
+BsdfCase lossy(BsdfCase c) {
+    c.name += ", lossy";
+    for (Closure* side : {&c.closure, &c.other_side}) {
+        side->separate = true;
+        side->once = true;
+    }
+    return c;
+}
+
+struct BurleyLayers {
+    float metalness = 0.0f;
+    float transmission = 0.0f;
+    bool thin = false;
+    float passes = 0.0f;  // of a sheet
+    float coat = 0.0f;
+    float sheen = 0.0f;
+    float tint = 0.0f;
+    float flatness = 0.0f;
+};
+
+BsdfCase burley(float x, float y, const BurleyLayers& layers) {
+    BsdfCase b;
+    b.name = fmt::format("Burley's {} {}: metal {}, clear {}{} {}, coat {}, sheen {}, tint {}, flat {}", x, y, layers.metalness,
+                         layers.transmission, layers.thin ? " sheet" : "", layers.passes, layers.coat, layers.sheen, layers.tint,
+                         layers.flatness);
+    Closure c = rough(closure_of(BSDF_BURLEY, tinted), x, y);
+    c.index = vec4_all(1.5f);
+    c.metalness = layers.metalness;
+    c.transmission = layers.transmission;
+    c.thin = layers.thin;
+    c.film_index = layers.passes;
+    c.coat = layers.coat;
+    c.coat_roughness = 0.05f;
+    c.sheen_roughness = layers.sheen;
+    c.sheen = vec4_of(layers.tint, layers.tint, layers.flatness, 0.5f);
+    b.closure = c;
+    b.other_side = c;
+    b.transmits = layers.transmission > 0.0f || (layers.thin && layers.passes > 0.0f);
+    if (layers.transmission > 0.0f && !layers.thin) {
+        b.other_side.index = vec4_all(1.0f / 1.5f);
+    }
+    b.furnace = 0.5;  // its layers do not share the light out
+    return b;
+}
+
 BsdfCase opaque(const std::string& name, const Closure& closure) {
     BsdfCase c;
     c.name = name;
@@ -162,6 +208,27 @@ std::vector<BsdfCase> bsdf_cases() {
         cases.push_back(opaque(fmt::format("plastic {}", alpha), plastic(tinted, alpha, 1.5f)));
         cases.push_back(opaque(fmt::format("plastic of Beckmann's {}, saturated", alpha), beckmann(plastic(tinted, alpha, 1.3f))));
         cases.back().closure.saturates = true;
+    }
+    for (const float alpha : {0.1f, 0.5f}) {
+        cases.push_back(lossy(opaque(fmt::format("conductor {}", alpha), conductor(tinted, alpha, alpha, false))));
+        cases.push_back(lossy(dielectric("dielectric", tinted, 1.5f, alpha, alpha)));
+        cases.push_back(lossy(beckmann(dielectric("dielectric", tinted, 1.0f / 1.5f, alpha, alpha))));
+        cases.push_back(lossy(opaque(fmt::format("plastic {}", alpha), plastic(tinted, alpha, 1.5f))));
+        cases.push_back(lossy(beckmann(opaque(fmt::format("plastic {}, saturated", alpha), plastic(tinted, alpha, 1.5f)))));
+        cases.back().closure.saturates = true;
+    }
+    for (const BurleyLayers& layers : {BurleyLayers{},
+                                       {.metalness = 0.6f, .coat = 0.8f, .sheen = 0.5f, .tint = 0.5f},
+                                       {.metalness = 0.1f, .transmission = 0.7f, .coat = 0.5f},
+                                       {.sheen = 0.8f, .flatness = 1.0f},
+                                       {.thin = true, .passes = 0.4f, .sheen = 0.5f},
+                                       {.transmission = 0.6f, .thin = true, .passes = 0.7f, .tint = 0.6f}}) {
+        cases.push_back(burley(0.2f, 0.2f, layers));
+        cases.push_back(burley(0.1f, 0.4f, layers));
+        if (layers.transmission > 0.0f && !layers.thin) {
+            std::swap(cases.back().closure, cases.back().other_side);
+            cases.back().name += ", from within";
+        }
     }
     for (const float alpha : {0.0f, 0.3f}) {
         for (const Layers& layers : layers_to_try()) {

@@ -82,6 +82,8 @@ Facets facets(float x, float y, bool beckmann) {
     f.x = x;
     f.y = y;
     f.beckmann = beckmann;
+    f.separate = false;
+    f.once = false;
     return f;
 }
 

@@ -46,6 +46,8 @@ enum class Encoding { automatic, linear, srgb };  // automatic: 8- and 16-bit in
 // has it, never sRGB. Throws std::runtime_error with a sentence when the file is missing, broken or too large, MachineFailure when what
 // reads images is not installed.
 Image read_image(const std::string& path, Encoding encoding = Encoding::automatic);
+// The same for a file's bytes in memory; `name` is for messages.
+Image read_image(std::string_view bytes, const std::string& name, Encoding encoding);
 
 // The same as the file has it: nothing is decoded. Integers of `bits` bits, 8 or 16, come as n / (2^bits - 1); floats have 0 bits.
 struct StoredPixels {

@@ -168,14 +168,19 @@ StoredPixels read_stored_pixels(const std::string& path) {
     }
 }
 
-Image read_image(const std::string& path, Encoding encoding, bool& encoded) {
-    StoredPixels stored = read_stored_pixels(path);
+namespace {
+
+Image decoded(StoredPixels stored, Encoding encoding, bool& encoded) {
     encoded = encoding == Encoding::srgb || (encoding == Encoding::automatic && (stored.bits == 8 || stored.bits == 16));
     if (encoded) {
         decode_srgb(stored.image, stored.bits);
     }
     return std::move(stored.image);
 }
+
+}  // namespace
+
+Image read_image(const std::string& path, Encoding encoding, bool& encoded) { return decoded(read_stored_pixels(path), encoding, encoded); }
 
 StoredPixels read_stored_pixels(std::string_view bytes, const std::string& name) {
     const MemoryFile file(bytes);
@@ -190,6 +195,11 @@ StoredPixels read_stored_pixels(std::string_view bytes, const std::string& name)
         }
         throw std::runtime_error(message);
     }
+}
+
+Image read_image(std::string_view bytes, const std::string& name, Encoding encoding) {
+    bool encoded = false;
+    return decoded(read_stored_pixels(bytes, name), encoding, encoded);
 }
 
 }  // namespace lancer

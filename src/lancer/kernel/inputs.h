@@ -58,6 +58,8 @@ FN void take_inputs(IN(WorldRecord) world, IN(MaterialRecord) material, IN(Surfa
             c.sheen_roughness = share;
         } else if (source.kind == INPUT_FILM) {
             c.film = film_thickness(max(x, Float(0.0f)), nanometres, world.spectral != 0);
+        } else if (source.kind == INPUT_PASSES) {
+            c.film_index = share;
         }
     }
 }
@@ -83,7 +85,7 @@ FN Int choose_material(IN(WorldRecord) world, int start, IN(SurfacePoint) point,
             turned = either(turned, behind);
             staying = without(mine, behind);
         }
-        if (material.mix_first > 0) {
+        if (material.mix_first > 0 && (material.flags & MATERIAL_BLENDS) == 0) {
             Float share = share_value(world, material.mix_share, material.mix_input, point, staying);
             Mask second = u < share;
             Float rest = select(second, u / max(share, Float(SMALLEST)), (u - share) / max(Float(1.0f) - share, Float(SMALLEST)));

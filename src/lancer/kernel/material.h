@@ -60,8 +60,10 @@ struct PathVertex {
     Closure closure;
     Spectrum emission;
     Int material;
-    Int emitter;  // -1: none
-    Mask inside;  // the path comes from within
+    Int emitter;   // -1: none
+    Mask inside;   // the path comes from within
+    Vec3 smooth_;  // the shading normal before it was bent, and how rough that made it; -1: not at all, or that is not asked for
+    Float hills;
     Vec3 albedo;  // linear RGB; this and `uv` where `world.watched`
     Vec2 uv;
 };
@@ -74,6 +76,8 @@ FN PathVertex no_vertex() {
     v.material = Int(-1);
     v.emitter = Int(-1);
     v.inside = Float(1.0f) < Float(0.0f);
+    v.smooth_ = v.point.shading;
+    v.hills = Float(-1.0f);
     v.albedo = vec3_all(Float(0.0f));
     v.uv = vec2_of(Float(0.0f), Float(0.0f));
     return v;
@@ -84,7 +88,13 @@ FN Mask all_or_none(bool yes) { return Float(yes ? 1.0f : 0.0f) > Float(0.5f); }
 FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) point, Vec4 nanometres, Mask mask) {
     Closure c = no_closure();
     c.kind = Int(material.kind);
-    c.color = color_value(world, material.color, point, nanometres, mask);
+    if ((material.flags & MATERIAL_BLENDS) != 0) {
+        Spectrum first = color_value(world, AT(world.surfaces, material.mix_first - 1).color, point, nanometres, mask);
+        Spectrum second = color_value(world, AT(world.surfaces, material.mix_second - 1).color, point, nanometres, mask);
+        c.color = first + (second - first) * share_value(world, material.mix_share, material.mix_input, point, mask);
+    } else {
+        c.color = color_value(world, material.color, point, nanometres, mask);
+    }
     if (material.kind == BSDF_CONDUCTOR) {
         c.index = color_value(world, material.index, point, nanometres, mask);
         c.extinction = color_value(world, material.extinction, point, nanometres, mask);
@@ -92,13 +102,20 @@ FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, 
     c.roughness_x = Float(material.roughness_x);
     c.roughness_y = Float(material.roughness_y);
     c.beckmann = all_or_none((material.flags & MATERIAL_BECKMANN) != 0);
-    if (material.kind == BSDF_PLASTIC || material.kind == BSDF_PRINCIPLED) {
+    c.separate = all_or_none((material.flags & MATERIAL_SEPARATE) != 0);
+    c.once = all_or_none((material.flags & MATERIAL_ONCE) != 0);
+    if (material.kind == BSDF_BURLEY) {
+        c.index = vec4_all(Float(material.eta));
+        c.sheen = vec4_of(Float(material.sheen_tint), Float(material.specular_tint), Float(material.flatness), Float(material.brightness));
+    } else if (material.kind == BSDF_PLASTIC || material.kind == BSDF_PRINCIPLED) {
         c.index = vec4_all(Float(material.eta));
         c.extinction = color_value(world, material.extinction, point, nanometres, mask);
         c.saturates = all_or_none((material.flags & MATERIAL_SATURATES) != 0);
     }
     if (material.kind == BSDF_PRINCIPLED) {
         c.sheen = color_value(world, material.index, point, nanometres, mask);
+    }
+    if (material.kind == BSDF_PRINCIPLED || material.kind == BSDF_BURLEY) {
         c.metalness = Float(material.metalness);
         c.transmission = Float(material.transmission);
         c.coat = Float(material.coat);
@@ -163,7 +180,15 @@ FN void take_material(IN(WorldRecord) world, IN(MaterialRecord) material, IN(Sur
     }
     vertex.closure = select_closure(mine, c, vertex.closure);
     if ((material.flags & MATERIAL_RELIEF) != 0) {
-        vertex.point.shading = select(mine, bent_normal(world, material, s, mine), vertex.point.shading);
+        Vec3 bent = bent_normal(world, material, s, mine);
+        if ((material.flags & MATERIAL_HILLS) != 0) {
+            // Seen from the same side as the surface, if turned about [Schuessler et al. 2017].
+            Mask away = dot(bent, direction) * dot(s.shading, direction) <= Float(0.0f);
+            bent = select(away, s.shading * (Float(2.0f) * dot(bent, s.shading)) - bent, bent);
+            vertex.smooth_ = select(mine, s.shading, vertex.smooth_);
+            vertex.hills = select(mine, hills_of(s.shading, bent), vertex.hills);
+        }
+        vertex.point.shading = select(mine, bent, vertex.point.shading);
     }
     if ((material.flags & MATERIAL_TURNED) != 0) {
         vertex.point.along_u = select(mine, s.along_u, vertex.point.along_u);

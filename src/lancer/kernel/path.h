@@ -185,6 +185,7 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
     if (some(going)) {
         Vec3 wi = to_local(frame, shadow.direction);
         BsdfValue value = bsdf_value(world, vertex.closure, wo, wi, going);
+        value.value = value.value * between_hills(vertex.hills, vertex.smooth_, shadow.direction);
         // Through a surface only where both its normals agree that it is through.
         Mask agree = (wi.z * dot(normal, shadow.direction)) > Float(0.0f);
         going = without(both(going, agree), is_black(value.value));
@@ -306,7 +307,7 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
         Vec3 view = -ray.direction;
         Vec3 normal = select(vertex.inside, -vertex.point.normal, vertex.point.normal);
         Vec3 shading = select(vertex.inside, -vertex.point.shading, vertex.point.shading);
-        shading = seen_normal(normal, shading, view);
+        shading = select(vertex.hills < Float(0.0f), seen_normal(normal, shading, view), shading);
         Frame frame = frame_around(shading);
         if (world.has_directions != 0) {
             frame = frame_along(shading, vertex.point.along_u);
@@ -334,6 +335,7 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
             }
             BsdfSample next = bsdf_sample(world, vertex.closure, wo, choice.y, decide(path, depth, DECISION_DIRECTION), going);
             Vec3 direction = normalize(to_world(frame, next.wi));
+            next.weight = next.weight * between_hills(vertex.hills, vertex.smooth_, direction);
             Float rises = dot(direction, normal);
             Mask right_side = either(both(next.transmits, rises < Float(0.0f)), without(rises > Float(0.0f), next.transmits));
             going = both(both(going, next.valid), right_side);

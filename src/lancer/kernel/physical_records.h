@@ -26,7 +26,8 @@ const int BSDF_DIELECTRIC = 4;
 const int BSDF_THIN_DIELECTRIC = 5;
 const int BSDF_PLASTIC = 6;
 const int BSDF_PRINCIPLED = 7;
-const int BSDF_KINDS = 8;
+const int BSDF_BURLEY = 8;
+const int BSDF_KINDS = 9;
 
 const int MATERIAL_EMITS = 1;
 const int MATERIAL_EMITS_BEHIND = 2;    // on its inner side, too
@@ -41,6 +42,10 @@ const int MATERIAL_RELIEF = 512;        // its normals are bent by a texture
 const int MATERIAL_CHOOSES = 1024;      // is a mix, or has another material behind
 const int MATERIAL_CUT = 2048;          // is not there everywhere, see `opacity`
 const int MATERIAL_OPEN_BEHIND = 4096;  // nor where it is met from within; always cut, too
+const int MATERIAL_SEPARATE = 32768;    // its facets hide one another towards either direction by itself
+const int MATERIAL_BLENDS = 131072;     // a mix of two diffuse surfaces, looked at as one of the mixed colour
+const int MATERIAL_HILLS = 262144;      // its bent normals hide from one another, see relief.h
+const int MATERIAL_ONCE = 65536;        // light that meets several of its facets is lost
 
 // A number of a material that a texture gives: offset + scale * channel.
 const int INPUT_ROUGHNESS = 0;  // its square is alpha; rough diffuse surfaces take it as it is
@@ -54,7 +59,8 @@ const int INPUT_FILM = 7;     // nanometres
 const int INPUT_OPACITY = 8;  // this and the rest: referred to by the record itself
 const int INPUT_SHARE = 9;
 const int INPUT_HEIGHT = 10;  // metres
-const int INPUT_KINDS = 11;
+const int INPUT_PASSES = 11;  // Burley's sheets: the share of the diffuse light that goes through
+const int INPUT_KINDS = 12;
 
 struct InputRecord {
     int kind;
@@ -81,9 +87,9 @@ struct MaterialRecord {
     float coat;             // how much of it has a clear coat: 0 to 1
     float coat_roughness;   // of microfacets: alpha
     float coat_index;       // index of refraction, 1.5
-    float sheen_roughness;  // 0 to 1
+    float sheen_roughness;  // 0 to 1; Burley's: how much sheen
     float film_thickness;   // nanometres of a film on it, 0: none
-    float film_index;       // index of refraction of the film, 1.3
+    float film_index;       // index of refraction of the film, 1.3; Burley's sheets: the share of the diffuse light that goes through
     int first_input;        // into inputs: what textures give instead, in the order of the kinds
     int input_count;
     int normal_map;        // 1 + texture; 0: none
@@ -97,6 +103,10 @@ struct MaterialRecord {
     int mix_second;        // 1 + the other one,
     float mix_share;       // with this chance
     int mix_input;         // 1 + input, instead; 0: none
+    float sheen_tint;      // Burley's: how much of the base's colour the sheen takes: 0 to 1
+    float specular_tint;   // and what is reflected
+    float flatness;        // how flat its body looks: 0 to 1
+    float brightness;      // luminance of the base's colour
 };
 
 const int EMITTER_POINT = 0;
@@ -148,6 +158,12 @@ struct SkyRecord {
     int width;
     int height;
     float turn;  // about +y, in full turns
+    int tilted;  // 1: what the turned image takes for x, y and z are these
+    vec3 x_axis;
+    vec3 y_axis;
+    vec3 z_axis;
+    float stretch;  // a height in the picture, from the top, is this times one in the sky
+    float shift;    // and this
     float scale;
     int first_share;  // into distributions: `height` cumulative shares of rows; for each row, `width` of its texels
 };
@@ -179,8 +195,8 @@ RECORDS_END
 
 #ifdef __cplusplus
 namespace lancer::kernel {
-static_assert(sizeof(ColorRecord) == 40 && sizeof(InputRecord) == 20 && sizeof(MaterialRecord) == 312 && sizeof(EmitterRecord) == 144 &&
-              sizeof(SkyRecord) == 148);
+static_assert(sizeof(ColorRecord) == 40 && sizeof(InputRecord) == 20 && sizeof(MaterialRecord) == 328 && sizeof(EmitterRecord) == 144 &&
+              sizeof(SkyRecord) == 196);
 }  // namespace lancer::kernel
 #endif
 

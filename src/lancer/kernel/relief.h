@@ -7,7 +7,7 @@
 NAMESPACE_BEGIN
 
 // The slopes of a height that a texture gives, for u and for v: differences across a texel of a picture, as large as that looks through the path's
-// beam.
+// beam. Of a picture without mipmaps they are those of the straight lines between its texels.
 FN Vec2 height_slopes(IN(WorldRecord) world, IN(InputRecord) source, IN(SurfacePoint) s, Mask mask) {
     TextureRecord texture = AT(world.textures, source.texture);
     Float step_u = Float(1.0f / 1024.0f);
@@ -20,8 +20,13 @@ FN Vec2 height_slopes(IN(WorldRecord) world, IN(InputRecord) source, IN(SurfaceP
         step_u = Float(1.0f) / max(max(abs(Float(texture.row_u.x)) * width, abs(Float(texture.row_v.x)) * height), least);
         step_v = Float(1.0f) / max(max(abs(Float(texture.row_u.y)) * width, abs(Float(texture.row_v.y)) * height), least);
     }
-    step_u = max(step_u, (abs(s.across.x) + abs(s.down.x)) * Float(0.5f));
-    step_v = max(step_v, (abs(s.across.y) + abs(s.down.y)) * Float(0.5f));
+    if (texture.kind == TEXTURE_IMAGE && texture.look == LOOK_BILINEAR) {
+        step_u = step_u * Float(1.0f / 16.0f);
+        step_v = step_v * Float(1.0f / 16.0f);
+    } else {
+        step_u = max(step_u, (abs(s.across.x) + abs(s.down.x)) * Float(0.5f));
+        step_v = max(step_v, (abs(s.across.y) + abs(s.down.y)) * Float(0.5f));
+    }
     Vec2 slopes = vec2_of(Float(0.0f), Float(0.0f));
     SurfacePoint there = s;
     Vec2 half_u = vec2_of(step_u * Float(0.5f), Float(0.0f));
@@ -66,6 +71,21 @@ FN Vec3 bent_normal(IN(WorldRecord) world, IN(MaterialRecord) material, IN(Surfa
         n = select(size > Float(SMALLEST), raised / sqrt(max(size, Float(SMALLEST))), n);
     }
     return n;
+}
+
+// How rough the relief looks, for the share of light that it hides from itself: normals that lean as this one does, as facets
+// [Estevez et al. 2019]. `smooth_`: the normal before it was bent.
+FN Float hills_of(Vec3 smooth_, Vec3 bent) {
+    Float cosine = dot(smooth_, bent);
+    Float c2 = max(cosine * cosine, Float(1.0e-12f));
+    return min(Float(0.125f) * (Float(1.0f) - min(c2, Float(1.0f))) / c2, Float(1.0f));
+}
+
+FN Float between_hills(Float hills, Vec3 smooth_, Vec3 direction) {
+    Float cosine = dot(smooth_, direction);
+    Float c2 = max(cosine * cosine, Float(1.0e-12f));
+    Float steep = (Float(1.0f) - min(c2, Float(1.0f))) / c2;
+    return Float(2.0f) / (Float(1.0f) + sqrt(Float(1.0f) + max(hills, Float(0.0f)) * steep));
 }
 
 // The nearest normal to `shading`, towards the surface's own `normal`, under which `view` is seen from above and mirrored to above the surface: else

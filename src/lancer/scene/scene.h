@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -113,20 +114,34 @@ struct WhittedMaterial {
 
 // The rest follow physics: they are for the path integrator. Roughness runs from 0, smooth, to 1; its square is the width of the facets' slopes.
 
+// The small mirrors that rough surfaces are made of. As other programs have them they may lose light.
+struct Facets {
+    enum class Distribution { ggx, beckmann };
+    Distribution distribution = Distribution::ggx;
+    bool separate = false;  // they hide one another towards either direction by itself, else by how high each lies
+    bool once = false;      // light that meets several of them is lost, else it is given back
+
+    bool operator==(const Facets&) const = default;
+};
+
 // Scatters to all sides alike [Lambert 1760], or as small facets of that kind do.
 struct DiffuseMaterial {
     Texture color = Color(Rgb(0.8));
     Value roughness = 0.0;
 };
 
+// Part of a complex index of refraction: measured, or one number for each of red, green and blue.
+using Index = std::variant<MeasuredSpectrum, Rgb>;
+
 // A metal, by name, by its complex index n + i k, or by its colour when seen straight on.
 struct ConductorMaterial {
-    std::string metal;  // a name that spectrum/metal.h knows; empty: n and k, or `color`
-    Texture color = Color(Rgb(1.0));
+    std::string metal;                // a name that spectrum/metal.h knows; empty: n and k, or `color` alone
+    Texture color = Color(Rgb(1.0));  // of a metal with an index, a tint: white in nature
     Value roughness = 0.0;
-    Value anisotropy = 0.0;                            // how much smoother along u than along v, 0 to 1
-    std::optional<MeasuredSpectrum> n = std::nullopt;  // both or none
-    std::optional<MeasuredSpectrum> k = std::nullopt;
+    Value anisotropy = 0.0;                 // how much smoother along u than along v, 0 to 1
+    std::optional<Index> n = std::nullopt;  // both or none
+    std::optional<Index> k = std::nullopt;
+    Facets facets = {};
 };
 
 // A clear body, such as glass or water; or a pane of it, so thin that nothing is seen to be shifted.
@@ -137,6 +152,7 @@ struct DielectricMaterial {
     Value anisotropy = 0.0;
     Color absorption = Color();  // inside, per metre
     bool thin = false;
+    Facets facets = {};
 };
 
 // A coloured body under a clear coat.
@@ -145,6 +161,7 @@ struct PlasticMaterial {
     double refraction = 1.5;  // of the coat
     Value roughness = 0.0;
     bool saturates = true;  // light that the coat sends back takes the body's colour again
+    Facets facets = {};
 };
 
 // Layers: sheen over a clear coat over a base of metal, coloured body or clear body. After glTF's metallic-roughness and its extensions.
@@ -164,6 +181,24 @@ struct PrincipledMaterial {
     Value sheen_roughness = 0.3;
     Value film = 0.0;  // thickness in nanometres of a thin film; 0: none
     double film_refraction = 1.3;
+};
+
+// Burley's surface, after what was published of it: scenes of other programs are made for it. It is bright where PrincipledMaterial is true.
+struct BurleyMaterial {
+    Texture color = Color(Rgb(0.5));
+    Value roughness = 0.5;
+    Value anisotropy = 0.0;      // how much rougher along u than along v, 0 to 1
+    double refraction = 1.5;     // of what is no metal
+    double specular_tint = 0.0;  // how much of the colour it takes that the surface reflects, 0 to 1
+    Value metalness = 0.0;
+    Value transmission = 0.0;
+    double flatness = 0.0;  // of the diffuse body, 0 to 1
+    Value sheen = 0.0;
+    double sheen_tint = 0.0;
+    Value coat = 0.0;
+    double coat_gloss = 0.0;  // from 0, blurred, to 1
+    bool thin = false;        // a sheet: no metal, no coat
+    Value passes = 0.0;       // of a sheet: the share of the diffuse light that goes through, 0 to 1
 };
 
 // Light that a surface gives by itself.
@@ -190,7 +225,8 @@ struct Relief {
 
 struct Material {
     std::string name;  // empty when written in place
-    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial, MixMaterial>
+    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial,
+                 BurleyMaterial, MixMaterial>
         model;
     SourcePosition position;
     std::optional<Emission> emission = std::nullopt;
@@ -323,8 +359,9 @@ struct Background {
     Color nadir;
     std::optional<ImageTexture> image = std::nullopt;  // its middle lies along -z, its right half towards +x, its top along +y
     double rotation = 0.0;                             // of the image about +y: degrees, counter-clockwise as seen from above
-    double strength = 1.0;                             // times this
-    bool visible = true;                               // to the camera itself
+    glm::dmat3 axes{1.0};   // where x, y and z of the turned image lie, column by column: length 1, at right angles; of either hand
+    double strength = 1.0;  // times this
+    bool visible = true;    // to the camera itself
 };
 
 // ---- Camera -----------------------------------------------------------------------------------------------------------------------

@@ -74,6 +74,14 @@ private:
         world_.media.push_back(medium);
     }
 
+    void add(const scene::BurleyMaterial& material, const SourcePosition& position) {
+        kernel::MediumRecord medium{};
+        set_refraction(material.refraction, medium, position);
+        world_.has_transparency = world_.has_transparency || (!material.thin && material.transmission.most() > 0.0);
+        world_.materials.push_back(no_material());
+        world_.media.push_back(medium);
+    }
+
     // What fills a body of a mix: that of the first of its parts that lets light in.
     kernel::MediumRecord medium_of(int number, int depth) const {
         const auto at = static_cast<std::size_t>(number);

@@ -39,22 +39,12 @@ std::vector<double> smooth_row(const World& world, int row) {
     return means;
 }
 
-// Integers are sRGB unless `linear`.
-Image decoded(StoredPixels stored, bool linear) {
-    const auto channels = static_cast<std::size_t>(stored.image.channels);
-    for (std::size_t i = 0; i < stored.image.pixels.size() && !linear && stored.bits != 0; ++i) {
-        const bool is_alpha = (channels == 2 || channels == 4) && i % channels == channels - 1;
-        stored.image.pixels[i] = is_alpha ? stored.image.pixels[i] : srgb_decode(stored.image.pixels[i]);
-    }
-    return std::move(stored.image);
-}
-
 // One black texel where it can't be read.
 void load_image(const scene::ImageTexture& image, World& world, Diagnostics& diagnostics) {
     Image pixels{1, 1, 1, {0.0f}};
     try {
-        pixels = image.bytes ? decoded(read_stored_pixels(*image.bytes, image.file), image.linear)
-                             : read_image(image.file, image.linear ? Encoding::linear : Encoding::automatic);
+        const Encoding encoding = image.linear ? Encoding::linear : Encoding::automatic;
+        pixels = image.bytes ? read_image(*image.bytes, image.file, encoding) : read_image(image.file, encoding);
     } catch (const MachineFailure&) {
         throw;
     } catch (const std::runtime_error& problem) {
@@ -66,7 +56,7 @@ void load_image(const scene::ImageTexture& image, World& world, Diagnostics& dia
     world.sky_texels.reserve(pixels.pixels.size() / channels);
     for (std::size_t i = 0; i < pixels.pixels.size(); i += channels) {
         const float* p = &pixels.pixels[i];
-        world.sky_texels.push_back(channels >= 3 ? kernel::vec3(p[0], p[1], p[2]) : kernel::vec3(p[0]));
+        world.sky_texels.push_back((channels >= 3 ? kernel::vec3(p[0], p[1], p[2]) : kernel::vec3(p[0])) * kernel::vec3(image.tint));
     }
 }
 
@@ -100,6 +90,12 @@ void compile_sky(const scene::Background& background, World& world, Colors& colo
         sky.kind = kernel::SKY_IMAGE;
         sky.turn = static_cast<float>(background.rotation / 360.0 - std::floor(background.rotation / 360.0));
         sky.scale = static_cast<float>(background.strength);
+        sky.stretch = static_cast<float>(background.image->scale.y);
+        sky.shift = static_cast<float>(1.0 - background.image->scale.y - background.image->offset.y);  // seen from the top
+        sky.tilted = background.axes == glm::dmat3(1.0) ? 0 : 1;
+        sky.x_axis = kernel::vec3(background.axes[0]);
+        sky.y_axis = kernel::vec3(background.axes[1]);
+        sky.z_axis = kernel::vec3(background.axes[2]);
         sky.horizon = colors.light(scene::Rgb(1.0));
         return;
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "lancer/spectrum/metal.h"
 #include "lancer/spectrum/sensor.h"
@@ -74,10 +75,31 @@ public:
                     record.clearness = child.clearness;
                 }
             }
+            if (!endless_ && blends(record)) {
+                record.kind = kernel::BSDF_DIFFUSE;
+                record.flags |= kernel::MATERIAL_BLENDS;
+                record.flags &= record.behind > 0 ? ~0 : ~kernel::MATERIAL_CHOOSES;
+            }
         }
     }
 
 private:
+    // A mix of two diffuse surfaces is one of the mixed colour: nothing has to be drawn.
+    bool blends(const kernel::MaterialRecord& record) const {
+        if (record.mix_first <= 0) {
+            return false;
+        }
+        constexpr int kept = kernel::MATERIAL_MAPPED | kernel::MATERIAL_TINTED | kernel::MATERIAL_ONE_SIDED;
+        for (const int number : {record.mix_first, record.mix_second}) {
+            const kernel::MaterialRecord& part = world_.surfaces[static_cast<std::size_t>(number - 1)];
+            const bool same_side = ((part.flags ^ record.flags) & kernel::MATERIAL_ONE_SIDED) == 0;
+            if (part.kind != kernel::BSDF_DIFFUSE || (part.flags & ~kept) != 0 || part.mix_first > 0 || !same_side) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     // All materials that may be met where `number` is, itself first. Too deep a nesting is a mix that contains itself.
     void collect(int number, const SourcePosition& position, int depth, std::vector<int>& parts) {
         if (depth > 32 || parts.size() > 1024) {
@@ -111,16 +133,15 @@ private:
     void set(const scene::ConductorMaterial& material, kernel::MaterialRecord& record) {
         record.kind = kernel::BSDF_CONDUCTOR;
         set_roughness(material.roughness, material.anisotropy, record);
+        set_facets(material.facets, record);
         if (const auto metal = find_metal(material.metal)) {
-            // As RGB: each channel's index is the mean of the spectrum as the channel sees it.
-            record.color = colors_.constant(1.0);
-            record.index = colors_.curve(metal->n, seen(metal->n));
-            record.extinction = colors_.curve(metal->k, seen(metal->k));
+            record.color = tint(material.color);
+            record.index = index(metal->n);
+            record.extinction = index(metal->k);
         } else if (material.n && material.k) {
-            const SpectralCurve n = index_curve(*material.n), k = index_curve(*material.k);
-            record.color = colors_.constant(1.0);
-            record.index = colors_.curve(n, seen(n));
-            record.extinction = colors_.curve(k, seen(k));
+            record.color = tint(material.color);
+            record.index = index(*material.n);
+            record.extinction = index(*material.k);
         } else {
             // A perfect mirror times the colour.
             record.color = colors_.reflectance(textures_.add(material.color));
@@ -133,6 +154,7 @@ private:
         record.kind = material.thin ? kernel::BSDF_THIN_DIELECTRIC : kernel::BSDF_DIELECTRIC;
         record.color = colors_.reflectance(textures_.add(material.color));
         set_roughness(material.roughness, material.anisotropy, record);
+        set_facets(material.facets, record);
         set_absorption(material.absorption, record);
     }
 
@@ -143,6 +165,7 @@ private:
         record.eta = static_cast<float>(material.refraction);
         record.flags |= material.saturates ? kernel::MATERIAL_SATURATES : 0;
         set_roughness(material.roughness, 0.0, record);
+        set_facets(material.facets, record);
     }
 
     void set(const scene::PrincipledMaterial& material, kernel::MaterialRecord& record) {
@@ -163,6 +186,25 @@ private:
         record.film_index = static_cast<float>(material.film_refraction);
         record.flags |= material.thin ? kernel::MATERIAL_THIN : 0;
         set_absorption(material.absorption, record);
+    }
+
+    void set(const scene::BurleyMaterial& material, kernel::MaterialRecord& record) {
+        record.kind = kernel::BSDF_BURLEY;
+        const CompiledTexture color = textures_.add(material.color);
+        record.color = colors_.reflectance(color);
+        record.eta = static_cast<float>(material.refraction);
+        set_roughness(material.roughness, material.anisotropy, record);
+        record.metalness = take(material.metalness, kernel::INPUT_METALNESS);
+        record.transmission = take(material.transmission, kernel::INPUT_TRANSMISSION);
+        record.coat = take(material.coat, kernel::INPUT_COAT);
+        record.coat_roughness = static_cast<float>(0.1 + (0.001 - 0.1) * material.coat_gloss);
+        record.sheen_roughness = take(material.sheen, kernel::INPUT_SHEEN_ROUGHNESS);
+        record.film_index = take(material.passes, kernel::INPUT_PASSES);
+        record.sheen_tint = static_cast<float>(material.sheen_tint);
+        record.specular_tint = static_cast<float>(material.specular_tint);
+        record.flatness = static_cast<float>(material.flatness);
+        record.brightness = static_cast<float>(glm::dot(reflected(color.color), scene::Rgb(0.2126, 0.7152, 0.0722)));
+        record.flags |= material.thin ? kernel::MATERIAL_THIN : 0;
     }
 
     void set(const scene::MixMaterial& material, kernel::MaterialRecord& record) {
@@ -242,6 +284,34 @@ private:
         world_.inputs.push_back(
             {kind, texture.number, static_cast<int>(value.channel), static_cast<float>(value.scale), static_cast<float>(value.offset)});
         return static_cast<float>(otherwise);
+    }
+
+    static void set_facets(const scene::Facets& facets, kernel::MaterialRecord& record) {
+        record.flags |= facets.distribution == scene::Facets::Distribution::beckmann ? kernel::MATERIAL_BECKMANN : 0;
+        record.flags |= facets.separate ? kernel::MATERIAL_SEPARATE : 0;
+        record.flags |= facets.once ? kernel::MATERIAL_ONCE : 0;
+    }
+
+    // As RGB: each channel's index is the mean of the spectrum as the channel sees it.
+    kernel::ColorRecord index(const SpectralCurve& curve) { return colors_.curve(curve, seen(curve)); }
+
+    kernel::ColorRecord index(const scene::Index& index_of) {
+        if (const auto* measured = std::get_if<scene::MeasuredSpectrum>(&index_of)) {
+            return index(index_curve(*measured));
+        }
+        const scene::Rgb& rgb = std::get<scene::Rgb>(index_of);
+        if (rgb.x == rgb.y && rgb.y == rgb.z) {
+            return colors_.constant(rgb.x);
+        }
+        kernel::ColorRecord record = colors_.light(rgb);
+        record.illuminant = -1;
+        return record;
+    }
+
+    // White is 1 exactly.
+    kernel::ColorRecord tint(const scene::Texture& texture) {
+        const auto* color = std::get_if<scene::Color>(&texture);
+        return color && *color == scene::Color(scene::Rgb(1.0)) ? colors_.constant(1.0) : colors_.reflectance(textures_.add(texture));
     }
 
     // Before all other inputs, which do not build upon it.

@@ -66,6 +66,9 @@ private:
         if (const auto* principled = std::get_if<scene::PrincipledMaterial>(&material.model)) {
             return principled->transmission.most() > 0.0 && !principled->thin;
         }
+        if (const auto* burley = std::get_if<scene::BurleyMaterial>(&material.model)) {
+            return burley->transmission.most() > 0.0 && !burley->thin;
+        }
         if (const auto* whitted = std::get_if<scene::WhittedMaterial>(&material.model)) {
             return whitted->transparency > 0.0;
         }

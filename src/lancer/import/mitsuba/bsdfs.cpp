@@ -14,26 +14,32 @@ namespace lancer::mitsuba {
 
 namespace {
 
-// Widths of facets' slopes along u and v.
-struct Alphas {
-    double roughness = 0.0;
+// How rough and how stretched facets are, as our materials have it: the roots of the widths of their slopes.
+struct Slopes {
+    scene::Value roughness = 0.0;
     double anisotropy = 0.0;
 };
 
-Alphas alphas(Builder& builder, Plugin& plugin) {
-    const double both = number_or(builder, plugin, "alpha", 0.1);
-    const double u = std::clamp(number_or(builder, plugin, "alpha_u", both), 1e-4, 1.0);
-    const double v = std::clamp(number_or(builder, plugin, "alpha_v", both), 1e-4, 1.0);
+double root_of_alpha(double alpha) { return std::sqrt(std::clamp(alpha, 1e-4, 1.0)); }
+
+Slopes slopes(Builder& builder, Plugin& plugin) {
     plugin.ignore("sample_visible");
-    // The other way round as in scene.h: there, alpha_u / alpha_v is 1 - 0.9 anisotropy.
+    if (!plugin.has("alpha_u") && !plugin.has("alpha_v")) {
+        return {changed_value_or(builder, plugin, "alpha", 0.1, root_of_alpha), 0.0};
+    }
+    const double u = std::clamp(number_or(builder, plugin, "alpha_u", 0.1), 1e-4, 1.0);
+    const double v = std::clamp(number_or(builder, plugin, "alpha_v", 0.1), 1e-4, 1.0);
+    // Ours: the ratio of the two is 1 - 0.9 anisotropy.
     return {std::sqrt(std::sqrt(u * v)), (1.0 - u / v) / 0.9};
 }
 
-// Ours are GGX's.
-void read_facets(Builder& builder, Plugin& plugin) {
-    if (const std::string name = plugin.text("distribution", "beckmann"); name != "ggx") {
-        builder.approximated(plugin, fmt::format("GGX's facets for {}", quoted(name)));
+// Light that meets several of them is lost, and they hide one another towards either direction by itself.
+scene::Facets read_facets(Builder& builder, Plugin& plugin) {
+    const std::string name = plugin.text("distribution", "beckmann");
+    if (name != "ggx" && name != "beckmann") {
+        builder.approximated(plugin, fmt::format("Beckmann's facets for {}", quoted(name)));
     }
+    return {name == "ggx" ? scene::Facets::Distribution::ggx : scene::Facets::Distribution::beckmann, true, true};
 }
 
 // A tint that nature does not have, and most scenes neither.
@@ -81,10 +87,10 @@ scene::Material dielectric(Builder& builder, Plugin& plugin, bool rough, bool th
     material.thin = thin;
     material.refraction = relative_index(builder, plugin, "bk7");
     if (rough) {
-        const Alphas a = alphas(builder, plugin);
+        const Slopes a = slopes(builder, plugin);
         material.roughness = a.roughness;
         material.anisotropy = a.anisotropy;
-        read_facets(builder, plugin);
+        material.facets = read_facets(builder, plugin);
     }
     expect_white(builder, plugin, "specular_reflectance");
     expect_white(builder, plugin, "specular_transmittance");
@@ -94,16 +100,12 @@ scene::Material dielectric(Builder& builder, Plugin& plugin, bool rough, bool th
 
 void set_metal(Builder& builder, Plugin& plugin, scene::ConductorMaterial& material) {
     const std::string name = plugin.text("material", plugin.has("eta") ? "none" : "Cu");
+    material.color = texture_or(builder, plugin, "specular_reflectance", Color(1.0), Role::share);
     if (plugin.has("eta") || plugin.has("k")) {
-        const Color n = color_or(builder, plugin, "eta", Color(0.0), Role::index);
-        const Color k = color_or(builder, plugin, "k", Color(1.0), Role::index);
-        const double outside = index_or(builder, plugin, "ext_eta", "air");
-        for (int i = 0; i < 3; ++i) {
-            material.color = Color(normal_reflectance(n.x / outside, k.x / outside), normal_reflectance(n.y / outside, k.y / outside),
-                                   normal_reflectance(n.z / outside, k.z / outside));
-        }
+        const double outside = plugin.has("ext_eta") ? index_or(builder, plugin, "ext_eta", "air") : 1.0;
+        material.n = index_curve_or_nothing(builder, plugin, "eta", outside).value_or(Color(0.0));
+        material.k = index_curve_or_nothing(builder, plugin, "k", outside).value_or(Color(1.0));
     } else if (name == "none") {
-        material.color = texture_or(builder, plugin, "specular_reflectance", Color(1.0), Role::share);
         return;
     } else if (find_metal(name)) {
         material.metal = name;
@@ -112,7 +114,6 @@ void set_metal(Builder& builder, Plugin& plugin, scene::ConductorMaterial& mater
         material.metal = find_metal(name.substr(0, dash)) ? name.substr(0, dash) : "Cu";
         builder.approximated(plugin, fmt::format("{} for {}", material.metal, quoted(name)));
     }
-    expect_white(builder, plugin, "specular_reflectance");
 }
 
 scene::Material conductor(Builder& builder, Plugin& plugin, bool rough) {
@@ -120,10 +121,10 @@ scene::Material conductor(Builder& builder, Plugin& plugin, bool rough) {
     auto& material = std::get<scene::ConductorMaterial>(made.model);
     set_metal(builder, plugin, material);
     if (rough) {
-        const Alphas a = alphas(builder, plugin);
+        const Slopes a = slopes(builder, plugin);
         material.roughness = a.roughness;
         material.anisotropy = a.anisotropy;
-        read_facets(builder, plugin);
+        material.facets = read_facets(builder, plugin);
     }
     builder.honoured(plugin);
     return made;
@@ -137,45 +138,51 @@ scene::Material plastic(Builder& builder, Plugin& plugin, bool rough) {
     material.refraction = within / index_or(builder, plugin, "ext_ior", "air");
     material.saturates = plugin.flag("nonlinear", false);
     if (rough) {
-        material.roughness = alphas(builder, plugin).roughness;
-        read_facets(builder, plugin);
+        material.roughness = slopes(builder, plugin).roughness;
+        material.facets = read_facets(builder, plugin);
     }
     expect_white(builder, plugin, "specular_reflectance");
-    builder.approximated(plugin, "a coat that loses no light over the same diffuse body");
+    builder.honoured(plugin);
     return made;
 }
 
-// Burley's model; ours has the same knobs.
+double number_from(Builder& builder, Plugin& plugin, std::string_view name, double preset, double most = 1.0) {
+    return std::clamp(number_or(builder, plugin, name, preset), 0.0, most);
+}
+
 scene::Material principled(Builder& builder, Plugin& plugin, bool thin) {
-    scene::Material made{plugin.id(), scene::PrincipledMaterial{}, plugin.position()};
-    auto& material = std::get<scene::PrincipledMaterial>(made.model);
+    scene::Material made{plugin.id(), scene::BurleyMaterial{}, plugin.position()};
+    auto& material = std::get<scene::BurleyMaterial>(made.model);
     material.color = texture_or(builder, plugin, "base_color", Color(0.5), Role::share);
     material.roughness = value_or(builder, plugin, "roughness", 0.5);
     material.anisotropy = value_or(builder, plugin, "anisotropic", 0.0);
     material.transmission = value_or(builder, plugin, "spec_trans", 0.0);
-    material.sheen = texture_or(builder, plugin, "sheen", Color(0.0), Role::share);
+    material.specular_tint = number_from(builder, plugin, "spec_tint", 0.0);
+    material.sheen = value_or(builder, plugin, "sheen", 0.0);
+    material.sheen_tint = number_from(builder, plugin, "sheen_tint", 0.0);
+    material.flatness = number_from(builder, plugin, "flatness", 0.0);
     material.thin = thin;
-    // "specular" from 0 to 1 is 0 to 8 % of the light at normal incidence.
-    const double specular = number_or(builder, plugin, "specular", 0.5);
-    const double mirrored = std::sqrt(std::clamp(0.08 * specular, 0.0, 0.99));
-    material.refraction = plugin.number("eta", (1.0 + mirrored) / (1.0 - mirrored), 1.0, 10.0);
-    if (!thin) {
+    if (thin) {
+        material.refraction = std::max(number_or(builder, plugin, "eta", 1.5), 1.0);
+        material.passes = value_or(builder, plugin, "diff_trans", 0.0);
+        material.passes.number *= 0.5;  // from 0 to 2 there
+        material.passes.scale *= 0.5;
+        material.passes.offset *= 0.5;
+    } else {
+        // "specular" from 0 to 1 is 0 to 8 % of the light at normal incidence.
+        const double mirrored = std::sqrt(0.08 * number_from(builder, plugin, "specular", 0.5));
+        material.refraction = plugin.number("eta", std::max(2.0 / (1.0 - mirrored) - 1.0, 1.001), 1.0, 10.0);
         material.metalness = value_or(builder, plugin, "metallic", 0.0);
         material.coat = value_or(builder, plugin, "clearcoat", 0.0);
-        material.coat_roughness = std::sqrt(0.1 + (0.001 - 0.1) * number_or(builder, plugin, "clearcoat_gloss", 0.0));
-    }
-    for (const std::string_view name : {"flatness", "spec_tint", "sheen_tint", "diff_trans"}) {
-        if (number_or(builder, plugin, name, 0.0) != 0.0) {
-            builder.context.report.dropped(fmt::format("{}: \"{}\"", plugin.title(), name), "our principled material has no such knob",
-                                           plugin.position());
-        }
+        material.coat_gloss = number_from(builder, plugin, "clearcoat_gloss", 0.0);
     }
     for (const std::string_view name :
-         {"diffuse_reflectance_sampling_rate", "specular_reflectance_sampling_rate", "spec_trans_sampling_rate", "clearcoat_sampling_rate",
-          "main_specular_sampling_rate", "diff_trans_sampling_rate"}) {
+         {"diffuse_reflectance_sampling_rate", "specular_reflectance_sampling_rate", "specular_transmittance_sampling_rate",
+          "diffuse_transmittance_sampling_rate", "spec_trans_sampling_rate", "clearcoat_sampling_rate", "main_specular_sampling_rate",
+          "diff_trans_sampling_rate"}) {
         plugin.ignore(name);
     }
-    builder.approximated(plugin, "our principled material, which keeps energy");
+    builder.honoured(plugin);
     return made;
 }
 
@@ -186,7 +193,7 @@ scene::Material lobes(Builder& builder, Plugin& plugin) {
     material.color = texture_or(builder, plugin, "diffuse_reflectance", Color(0.5), Role::share);
     const double exponent = number_or(builder, plugin, "exponent", 30.0);
     material.roughness =
-        plugin.type() == "phong" ? std::pow(2.0 / (std::max(exponent, 0.0) + 2.0), 0.25) : alphas(builder, plugin).roughness;
+        plugin.type() == "phong" ? scene::Value(std::pow(2.0 / (std::max(exponent, 0.0) + 2.0), 0.25)) : slopes(builder, plugin).roughness;
     plugin.ignore("specular_reflectance");
     plugin.ignore("variant");
     builder.approximated(plugin, "our principled material");

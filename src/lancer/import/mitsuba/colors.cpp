@@ -60,34 +60,40 @@ Color rgb_of(Builder& builder, const Element& element, Role role) {
     return glm::max(*color, 0.0);
 }
 
+scene::Color spectrum(std::vector<double> nanometres, std::vector<double> values) {
+    return scene::Spectrum{scene::MeasuredSpectrum{std::move(nanometres), std::move(values)}, 1.0, std::nullopt};
+}
+
 // A spectrum is nothing beyond the wavelengths that are written, whatever it is of.
-Color measured(const WavelengthValues& written, Role role) {
+scene::Color measured(const WavelengthValues& written, Role role) {
     WavelengthValues curve = written;
     curve.nanometres.insert(curve.nanometres.begin(), curve.nanometres.front() - 1e-3);
     curve.values.insert(curve.values.begin(), 0.0);
     curve.nanometres.push_back(curve.nanometres.back() + 1e-3);
     curve.values.push_back(0.0);
-    const SpectralCurve spectrum(curve.nanometres, curve.values, SpectralCurve::Beyond::zero);
-    return glm::max(role == Role::light ? to_rgb(spectrum) : reflected_rgb(spectrum), 0.0);
+    for (double& value : curve.values) {
+        value = role == Role::share ? std::clamp(value, 0.0, 1.0) : std::max(value, 0.0);
+    }
+    return spectrum(std::move(curve.nanometres), std::move(curve.values));
 }
 
 // The same at every wavelength. Before version 3 light of that kind was taken for white.
-Color uniform(const Builder& builder, double value, Role role) {
+scene::Color uniform(const Builder& builder, double value, Role role) {
     if (role == Role::light && builder.document.major_version() >= 3) {
-        return to_rgb(SpectralCurve(value));
+        return spectrum({coarse_grid.first, coarse_grid.first + coarse_grid.step * (coarse_grid.count - 1)}, {value, value});
     }
-    return Color(value);
+    return Color(role == Role::share ? std::clamp(value, 0.0, 1.0) : value);
 }
 
-Color from_file(Builder& builder, const std::string& name, const SourcePosition& position, Role role) {
+scene::Color from_file(Builder& builder, const std::string& name, const SourcePosition& position, Role role) {
     const std::string path = builder.document.resolve(name, position);
     const auto bytes = builder.context.files.open(path, position);
     const auto curves =
         bytes ? parse_curves(bytes->view(), path, 1, SpectralCurve::Beyond::constant, builder.context.diagnostics) : std::nullopt;
-    return curves ? measured({curves->front().nanometres(), curves->front().values()}, role) : Color(0.0);
+    return curves ? measured({curves->front().nanometres(), curves->front().values()}, role) : scene::Color();
 }
 
-Color spectrum_of(Builder& builder, const Element& element, Role role) {
+scene::Color spectrum_of(Builder& builder, const Element& element, Role role) {
     if (element.find("filename")) {
         return from_file(builder, element.attribute("filename"), element.position, role);
     }
@@ -107,21 +113,24 @@ Color spectrum_of(Builder& builder, const Element& element, Role role) {
     return Color(0.0);
 }
 
-Color black_body(double kelvin, double scale) {
+scene::Color black_body(double kelvin, double scale) {
+    if (!(kelvin > 0.0 && scale > 0.0)) {
+        return {};
+    }
     // W/(m2 sr nm): as bright as such light is under the eye's curve.
-    return kelvin > 0.0 ? glm::max(to_rgb(blackbody(kelvin)) * scale, 0.0) : Color(0.0);
+    return scene::Spectrum{scene::BlackbodySpectrum{kelvin}, 1.0, to_xyz(blackbody(kelvin)).y * scale};
 }
 
-Color illuminant(Builder& builder, Plugin& plugin) {
+scene::Color illuminant(Builder& builder, Plugin& plugin) {
     const double scale = plugin.number("scale", 1.0);
     const Element* color = plugin.find({"color", "value"});
-    return (color ? color_of(builder, *color, Role::light).value_or(Color(1.0)) : Color(1.0)) * scale;
+    return visible(color ? color_of(builder, *color, Role::light).value_or(Color(1.0)) : Color(1.0), Role::light) * scale;
 }
 
 // A texture or spectrum plugin that is the same everywhere.
-std::optional<Color> plugin_color(Builder& builder, const Element& element, Role role) {
+std::optional<scene::Color> plugin_color(Builder& builder, const Element& element, Role role) {
     Plugin plugin = builder.plugin(element);
-    std::optional<Color> color;
+    std::optional<scene::Color> color;
     if (plugin.type() == "d65") {
         color = illuminant(builder, plugin);
     } else if (plugin.type() == "srgb") {
@@ -150,7 +159,7 @@ std::optional<Color> plugin_color(Builder& builder, const Element& element, Role
         if (!values || !nanometres || values->empty() || values->size() != nanometres->size() ||
             std::adjacent_find(nanometres->begin(), nanometres->end(), std::greater_equal<>()) != nanometres->end()) {
             builder.error(plugin.position(), "expected wavelengths that rise and as many values");
-            return Color(0.0);
+            return scene::Color();
         }
         color = measured({*nanometres, *values}, role);
     } else {
@@ -163,9 +172,9 @@ std::optional<Color> plugin_color(Builder& builder, const Element& element, Role
 
 }  // namespace
 
-std::optional<Color> color_of(Builder& builder, const Element& element, Role role) {
+std::optional<scene::Color> color_of(Builder& builder, const Element& element, Role role) {
     if (element.tag == "rgb" || element.tag == "srgb" || element.tag == "color") {
-        return rgb_of(builder, element, role);
+        return scene::Color(rgb_of(builder, element, role));
     }
     if ((element.tag == "spectrum" || element.tag == "texture") && element.find("type")) {
         return plugin_color(builder, element, role);
@@ -190,12 +199,12 @@ std::optional<Color> color_of(Builder& builder, const Element& element, Role rol
         return uniform(builder, number.value_or(0.0), role);
     }
     if (element.tag == "vector" || element.tag == "point") {
-        return vector_of(element, 0.0, builder.context.diagnostics);
+        return scene::Color(vector_of(element, 0.0, builder.context.diagnostics));
     }
     return std::nullopt;
 }
 
-Color color_or(Builder& builder, Plugin& plugin, std::string_view name, const Color& preset, Role role) {
+scene::Color color_or(Builder& builder, Plugin& plugin, std::string_view name, const Color& preset, Role role) {
     const Element* element = plugin.find(name);
     if (!element) {
         return preset;
@@ -207,6 +216,39 @@ Color color_or(Builder& builder, Plugin& plugin, std::string_view name, const Co
             "only colours that are the same everywhere are read here", element->position);
     }
     return color.value_or(preset);
+}
+
+Color visible(const scene::Color& color, Role role) {
+    if (!color.spectrum) {
+        return color.rgb;
+    }
+    const scene::Spectrum& spectrum = *color.spectrum;
+    if (const auto* measured_values = std::get_if<scene::MeasuredSpectrum>(&spectrum.shape)) {
+        const SpectralCurve curve(measured_values->nanometres, measured_values->values,
+                                  role == Role::light ? SpectralCurve::Beyond::zero : SpectralCurve::Beyond::constant);
+        return glm::max(role == Role::light ? to_rgb(curve) : reflected_rgb(curve), 0.0) * spectrum.scale;
+    }
+    const auto* black = std::get_if<scene::BlackbodySpectrum>(&spectrum.shape);
+    return black ? glm::max(to_rgb(with_unit_luminance(blackbody(black->kelvin))), 0.0) * spectrum.luminance.value_or(1.0) : Color(1.0);
+}
+
+std::optional<scene::Index> index_curve_or_nothing(Builder& builder, Plugin& plugin, std::string_view name, double outside) {
+    if (!plugin.has(name)) {
+        return std::nullopt;
+    }
+    const scene::Color color = color_or(builder, plugin, name, Color(1.0), Role::index);
+    if (!color.spectrum) {
+        return color.rgb / outside;
+    }
+    const auto* values = std::get_if<scene::MeasuredSpectrum>(&color.spectrum->shape);
+    if (!values) {
+        return visible(color, Role::index) / outside;
+    }
+    scene::MeasuredSpectrum curve = *values;
+    for (double& value : curve.values) {
+        value /= outside;
+    }
+    return curve;
 }
 
 }  // namespace lancer::mitsuba

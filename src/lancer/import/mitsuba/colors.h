@@ -15,9 +15,15 @@ using Color = scene::Rgb;
 
 // Of <rgb>, <srgb>, <spectrum>, <blackbody>, <float> or a <texture> that is the same everywhere. Nothing for what is no such thing; errors in one
 // are diagnostics, and it is black then.
-std::optional<Color> color_of(Builder& builder, const Element& element, Role role);
+std::optional<scene::Color> color_of(Builder& builder, const Element& element, Role role);
 
 // The property of this name; `preset` when it is not written.
-Color color_or(Builder& builder, Plugin& plugin, std::string_view name, const Color& preset, Role role);
+scene::Color color_or(Builder& builder, Plugin& plugin, std::string_view name, const Color& preset, Role role);
+
+// What a colour looks like: a light by itself, all else under daylight.
+Color visible(const scene::Color& color, Role role);
+
+// Part of a complex index of refraction, divided by that of what is outside.
+std::optional<scene::Index> index_curve_or_nothing(Builder& builder, Plugin& plugin, std::string_view name, double outside);
 
 }  // namespace lancer::mitsuba

@@ -1,8 +1,14 @@
 #include "lancer/import/mitsuba/emitters.h"
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
+#include "lancer/image/image.h"
 #include "lancer/import/mesh/mesh_messages.h"
 #include "lancer/import/mitsuba/textures.h"
 
@@ -13,7 +19,7 @@ namespace {
 glm::dvec3 point(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1.0)); }
 glm::dvec3 direction(const glm::dmat4& m, const glm::dvec3& d) { return glm::dvec3(m * glm::dvec4(d, 0.0)); }
 
-void add_light(Builder& builder, Plugin& plugin, decltype(scene::Light::model) model, const Color& power) {
+void add_light(Builder& builder, Plugin& plugin, decltype(scene::Light::model) model, const scene::Color& power) {
     scene::Light light;
     light.name = plugin.id();
     light.model = std::move(model);
@@ -49,7 +55,7 @@ void add_directional(Builder& builder, Plugin& plugin) {
     add_light(builder, plugin, scene::DirectionalLight{travels}, color_or(builder, plugin, "irradiance", Color(1.0), Role::light));
 }
 
-void set_background(Builder& builder, const Color& color) { builder.scene.background = {color, color, color}; }
+void set_background(Builder& builder, const scene::Color& color) { builder.scene.background = {color, color, color}; }
 
 void add_constant(Builder& builder, Plugin& plugin) {
     set_background(builder, color_or(builder, plugin, "radiance", Color(1.0), Role::light));
@@ -57,11 +63,42 @@ void add_constant(Builder& builder, Plugin& plugin) {
 }
 
 void add_environment(Builder& builder, Plugin& plugin) {
-    plugin.ignore("filename");
-    plugin.ignore("scale");
-    plugin.ignore("to_world");
-    set_background(builder, Color(1.0));
-    builder.approximated(plugin, "white surroundings");
+    scene::ImageTexture image;
+    image.position = plugin.position();
+    image.file = builder.document.resolve(plugin.text("filename", ""), plugin.position());
+    builder.scene.background.strength = std::max(plugin.number("scale", 1.0), 0.0);
+    plugin.ignore("mis_compensation");
+    if (const auto to_world = plugin.transform("to_world")) {
+        glm::dmat3 axes(*to_world);
+        for (int i = 0; i < 3; ++i) {
+            const double length = glm::length(axes[i]);
+            axes[i] = length > 0.0 ? axes[i] / length : glm::dvec3(0.0);
+        }
+        constexpr double tolerance = 1e-6;
+        if (std::abs(glm::dot(axes[0], axes[1])) + std::abs(glm::dot(axes[1], axes[2])) + std::abs(glm::dot(axes[2], axes[0])) >
+                tolerance ||
+            !(std::abs(glm::determinant(axes)) > 0.5)) {
+            builder.error(plugin.find("to_world")->position, "surroundings can be turned and mirrored, not squeezed");
+            return;
+        }
+        builder.scene.background.axes = axes;
+    }
+    if (!builder.context.files.image(image.file, plugin.position())) {
+        set_background(builder, Color(1.0, 0.0, 1.0));
+        return;
+    }
+    // Its first and last row lie on the poles; ours end there.
+    try {
+        const int rows = read_image(image.file).height;
+        image.scale.y = rows > 1 ? static_cast<double>(rows - 1) / rows : 1.0;
+        image.offset.y = rows > 1 ? 0.5 / rows : 0.0;
+    } catch (const std::runtime_error& problem) {
+        builder.error(plugin.position(), problem.what());
+    }
+    // Its left edge lies along -z, where the middle of ours does.
+    builder.scene.background.rotation = 180.0;
+    builder.scene.background.image = image;
+    builder.honoured(plugin);
 }
 
 void add_sky(Builder& builder, Plugin& plugin) {

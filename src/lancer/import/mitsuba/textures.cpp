@@ -1,11 +1,15 @@
 #include "lancer/import/mitsuba/textures.h"
 
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "lancer/image/image.h"
+#include "lancer/import/made_picture.h"
 #include "lancer/import/mesh/mesh_messages.h"
 #include "lancer/import/mitsuba/values.h"
 
@@ -38,33 +42,6 @@ UvTransform uv_transform(Plugin& plugin) {
     return uv;
 }
 
-scene::Texture checkerboard(Builder& builder, Plugin& plugin, Role role) {
-    scene::Checker checker;
-    checker.first = color_or(builder, plugin, "color0", Color(0.4), role);
-    checker.second = color_or(builder, plugin, "color1", Color(0.2), role);
-    checker.solid = false;
-    const UvTransform uv = uv_transform(plugin);
-    const double scale = glm::length(uv.x);
-    checker.size = scale > 0.0 ? 0.5 / scale : 1e9;
-    if (std::abs(glm::length(uv.y) - scale) > 1e-9 * scale || uv.x.y != 0.0 || uv.offset != glm::dvec2(0.0)) {
-        builder.approximated(plugin, "squares that begin at uv (0, 0)");
-    } else {
-        builder.honoured(plugin);
-    }
-    return checker;
-}
-
-scene::Wrap wrap_mode(Builder& builder, Plugin& plugin, std::string_view name, std::string_view preset) {
-    const std::string mode = plugin.text(name, preset);
-    if (mode == "mirror") {
-        return scene::Wrap::mirror;
-    }
-    if (mode != "repeat" && mode != "clamp") {
-        builder.approximated(plugin, fmt::format("\"clamp\" for the {} {}", name, quoted(mode)));
-    }
-    return mode == "repeat" ? scene::Wrap::repeat : scene::Wrap::clamp;
-}
-
 // Mitsuba's (0, 0) is the picture's upper left corner, ours the lower left one.
 void set_transform(Builder& builder, Plugin& plugin, const UvTransform& uv, scene::ImageTexture& image) {
     const glm::dvec2 x(uv.x.x, -uv.x.y), y(uv.y.x, -uv.y.y);
@@ -79,6 +56,47 @@ void set_transform(Builder& builder, Plugin& plugin, const UvTransform& uv, scen
     if (std::abs(glm::dot(x, y)) > 1e-9 * length * glm::length(y)) {
         builder.approximated(plugin, "\"to_uv\" without its shear");
     }
+}
+
+// Where it gives numbers Mitsuba has the two the other way round.
+scene::Texture checkerboard(Builder& builder, Plugin& plugin, Role role, bool gives_numbers) {
+    scene::Checker checker;
+    checker.first = visible(color_or(builder, plugin, "color0", Color(0.4), role), role);
+    checker.second = visible(color_or(builder, plugin, "color1", Color(0.2), role), role);
+    checker.solid = false;
+    if (gives_numbers) {
+        std::swap(checker.first, checker.second);
+    }
+    const UvTransform uv = uv_transform(plugin);
+    const double scale = glm::length(uv.x);
+    builder.honoured(plugin);
+    if (scale > 0.0 && std::abs(glm::length(uv.y) - scale) <= 1e-9 * scale && uv.x.y == 0.0 && uv.y.x == 0.0 &&
+        uv.offset == glm::dvec2(0.0)) {
+        checker.size = 0.5 / scale;
+        return checker;
+    }
+    // Squares of any shape: four texels, repeated.
+    Image squares{2, 2, 3, {}};
+    for (const Color& color : {checker.first, checker.second, checker.second, checker.first}) {
+        for (int i = 0; i < 3; ++i) {
+            squares.pixels.push_back(static_cast<float>(color[i]));
+        }
+    }
+    scene::ImageTexture picture = made_picture(squares, plugin.position());
+    picture.filter = scene::Filter::nearest;
+    set_transform(builder, plugin, uv, picture);
+    return picture;
+}
+
+scene::Wrap wrap_mode(Builder& builder, Plugin& plugin, std::string_view name, std::string_view preset) {
+    const std::string mode = plugin.text(name, preset);
+    if (mode == "mirror") {
+        return scene::Wrap::mirror;
+    }
+    if (mode != "repeat" && mode != "clamp") {
+        builder.approximated(plugin, fmt::format("\"clamp\" for the {} {}", name, quoted(mode)));
+    }
+    return mode == "repeat" ? scene::Wrap::repeat : scene::Wrap::clamp;
 }
 
 scene::Texture bitmap(Builder& builder, Plugin& plugin) {
@@ -118,7 +136,7 @@ scene::Texture mesh_attribute(Builder& builder, Plugin& plugin) {
 
 }  // namespace
 
-scene::Texture texture_of(Builder& builder, const Element& element, Role role) {
+scene::Texture texture_of(Builder& builder, const Element& element, Role role, bool gives_numbers) {
     const Nesting nesting(builder, element.position);
     if (nesting.too_deep()) {
         return Color(0.0);
@@ -131,7 +149,7 @@ scene::Texture texture_of(Builder& builder, const Element& element, Role role) {
     if (plugin.type() == "bitmap") {
         texture = bitmap(builder, plugin);
     } else if (plugin.type() == "checkerboard") {
-        texture = checkerboard(builder, plugin, role);
+        texture = checkerboard(builder, plugin, role, gives_numbers);
     } else if (plugin.type() == "mesh_attribute") {
         texture = mesh_attribute(builder, plugin);
     } else {
@@ -149,9 +167,9 @@ scene::Texture texture_or(Builder& builder, Plugin& plugin, std::string_view nam
 
 scene::Value value_of(Builder& builder, const Element& element) {
     scene::Value value;
-    value.texture.emplace(texture_of(builder, element, Role::index));
+    value.texture.emplace(texture_of(builder, element, Role::index, true));
     if (const auto* color = std::get_if<scene::Color>(&*value.texture)) {
-        value.number = luminance(color->rgb);
+        value.number = luminance(visible(*color, Role::index));
         value.texture.reset();
     }
     return value;
@@ -160,6 +178,40 @@ scene::Value value_of(Builder& builder, const Element& element) {
 scene::Value value_or(Builder& builder, Plugin& plugin, std::string_view name, double preset) {
     const Element* element = plugin.find(name);
     return element ? value_of(builder, *element) : scene::Value(preset);
+}
+
+scene::Value changed_value_or(Builder& builder, Plugin& plugin, std::string_view name, double preset,
+                              const std::function<double(double)>& change) {
+    scene::Value value = value_or(builder, plugin, name, preset);
+    if (!value.texture) {
+        value.number = change(value.number);
+        return value;
+    }
+    if (auto* checker = std::get_if<scene::Checker>(&*value.texture)) {
+        checker->first = Color(change(checker->first.x));
+        checker->second = Color(change(checker->second.x));
+        return value;
+    }
+    auto* image = std::get_if<scene::ImageTexture>(&*value.texture);
+    if (!image) {
+        return value;
+    }
+    const Encoding encoding = image->linear ? Encoding::linear : Encoding::automatic;
+    try {
+        Image pixels = image->bytes ? read_image(*image->bytes, image->file, encoding) : read_image(image->file, encoding);
+        Image changed{pixels.width, pixels.height, 3, {}};
+        const auto channels = static_cast<std::size_t>(pixels.channels);
+        for (std::size_t i = 0; i < pixels.pixels.size(); i += channels) {
+            changed.pixels.insert(changed.pixels.end(), 3, static_cast<float>(change(static_cast<double>(pixels.pixels[i]))));
+        }
+        const scene::ImageTexture made = made_picture(changed, image->position);
+        image->bytes = made.bytes;
+        image->file = made.file;
+        image->linear = true;
+    } catch (const std::runtime_error& problem) {
+        builder.error(image->position, problem.what());
+    }
+    return value;
 }
 
 double number_or(Builder& builder, Plugin& plugin, std::string_view name, double preset) {

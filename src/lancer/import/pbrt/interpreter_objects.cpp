@@ -68,7 +68,8 @@ void Interpreter::place_object(const Syntax& syntax, const Directive& directive)
 }
 
 void Interpreter::add_shape(const Syntax& syntax, const Directive& directive) {
-    const Parameters given = parameters(syntax, directive, Target::shape);
+    const Recipe shape = recipe(syntax, directive, Target::shape);
+    const Parameters& given = shape.parameters;
     if (!has_room(given.position())) {
         return;
     }
@@ -79,7 +80,7 @@ void Interpreter::add_shape(const Syntax& syntax, const Directive& directive) {
     if (const auto known = plain ? shapes_.find(key) : shapes_.end(); known != shapes_.end()) {
         built = known->second;
     } else {
-        built = build_shape(given, unescaped(directive.strings[0]), state_.reverse_orientation);
+        built = build_shape(given, shape.type, state_.reverse_orientation);
         if (plain) {
             shapes_.emplace(key, built);
         }
@@ -96,13 +97,10 @@ void Interpreter::add_shape(const Syntax& syntax, const Directive& directive) {
     if (state_.area_light >= 0 && object_) {
         context_.report.dropped("AreaLightSource in an object", "pbrt does not let placed objects shine", given.position());
     }
-    const int material = materials_.material_for({state_.material, shines ? state_.area_light : -1, state_.inside, state_.outside}, given,
+    const int material = materials_.material_for({state_.material, shines ? state_.area_light : -1, state_.inside, state_.outside}, shape,
                                                  shines ? surface_area(built->shape, to_world) : 0.0);
     std::vector<scene::Object>& objects = object_ ? scene_.groups[static_cast<std::size_t>(*object_)].objects : scene_.objects;
     objects.push_back({{}, built->shape, material, object_ ? to_world : to_scene_ * to_world, given.position()});
-    if (given.has("alpha")) {
-        context_.report.dropped("\"alpha\"", "nothing is cut out", given.position());
-    }
     context_.report.honoured(given.owner(), given.position());
     given.warn_of_unused();
 }

@@ -3,11 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "lancer/image/image.h"
+#include "lancer/import/pbrt/environments.h"
+#include "lancer/import/pbrt/files.h"
 #include "lancer/import/pbrt/light_power.h"
 #include "lancer/import/pbrt/transforms.h"
 
@@ -33,6 +39,10 @@ void Lights::add(const Recipe& light, const glm::dmat4& to_world) {
         add_distant(light, to_world);
     } else if (light.type == "infinite" || light.type == "exinfinite") {
         add_infinite(light, to_world);
+    } else if (light.type == "goniometric") {
+        add_goniometric(light, to_world);
+    } else if (light.type == "projection") {
+        add_projection(light, to_world);
     } else {
         context_.report.dropped(parameters.owner(), "this light is not known", parameters.position());
         return;
@@ -48,8 +58,7 @@ void Lights::add_point(const Recipe& light, const glm::dmat4& to_world) {
         color.scale *= *power / (4.0 * pi);
     }
     const glm::dvec3 from = parameters.triple("from").value_or(glm::dvec3(0.0));
-    scene_.lights.push_back(
-        {{}, scene::PointLight{apply_to_point(to_world, from)}, color.color, 1.0, parameters.position(), color.color * color.scale});
+    push(light, scene::PointLight{apply_to_point(to_world, from)}, color.color * color.scale);
     context_.report.honoured(parameters.owner(), parameters.position());
 }
 
@@ -69,12 +78,7 @@ void Lights::add_spot(const Recipe& light, const glm::dmat4& to_world) {
         context_.diagnostics.error(parameters.position(), "\"from\" and \"to\" of this light are the same point");
         return;
     }
-    scene_.lights.push_back({{},
-                             scene::SpotLight{apply_to_point(to_world, from), direction, angle, falloff},
-                             color.color,
-                             1.0,
-                             parameters.position(),
-                             color.color * color.scale});
+    push(light, scene::SpotLight{apply_to_point(to_world, from), direction, angle, falloff}, color.color * color.scale);
     context_.report.honoured(parameters.owner(), parameters.position());
 }
 
@@ -91,44 +95,178 @@ void Lights::add_distant(const Recipe& light, const glm::dmat4& to_world) {
         context_.diagnostics.error(parameters.position(), "\"from\" and \"to\" of this light are the same point");
         return;
     }
-    scene_.lights.push_back({{}, scene::DirectionalLight{direction}, color.color, 1.0, parameters.position(), color.color * color.scale});
+    push(light, scene::DirectionalLight{direction}, color.color * color.scale);
     context_.report.honoured(parameters.owner(), parameters.position());
 }
 
-void Lights::add_infinite(const Recipe& light, const glm::dmat4&) {
+// The mean of a picture that a light throws; nothing when it can't be read.
+std::optional<scene::Rgb> Lights::mean_of_picture(const Parameters& parameters) {
+    const bool old = !parameters.has("filename") && parameters.has("mapname");
+    const Parameter* parameter = parameters.find(old ? "mapname" : "filename");
+    const auto name = parameters.string(old ? "mapname" : "filename");
+    if (!name) {
+        return std::nullopt;
+    }
+    const SourcePosition position = Parameters::position_of(*parameter);
+    const std::string path = find_file(context_, *name, *parameter->text);
+    if (!context_.files.image(path, position)) {
+        return std::nullopt;
+    }
+    try {
+        return mean_color(read_image(path), !old);
+    } catch (const std::runtime_error& problem) {
+        context_.diagnostics.error(position, problem.what());
+        return std::nullopt;
+    }
+}
+
+void Lights::add_infinite(const Recipe& light, const glm::dmat4& to_world) {
     const Parameters& parameters = light.parameters;
     LightColor color = read_light_color(light, "L", version3_);
+    if (parameters.has("portal")) {
+        context_.report.dropped("\"portal\"", "it only helps to find the light", parameters.position(), false);
+    }
     if (parameters.has("filename") || parameters.has("mapname")) {
-        context_.report.dropped(parameters.owner() + " with a picture", "surroundings of pictures are not there yet",
-                                parameters.position());
+        add_surroundings(light, color, to_world);
         return;
     }
     if (const auto illuminance = parameters.number("illuminance"); illuminance && *illuminance > 0.0) {
         color.scale *= *illuminance / pi;
     }
-    const scene::Rgb radiance = color.color * color.scale;
-    scene_.background.zenith.rgb += radiance;
-    scene_.background.horizon.rgb += radiance;
-    scene_.background.nadir.rgb += radiance;
-    if (parameters.has("portal")) {
-        context_.report.dropped("\"portal\"", "it only helps to find the light", parameters.position(), false);
-    }
+    everywhere_.push_back(color.color * color.scale);
     context_.report.honoured(parameters.owner(), parameters.position());
 }
 
-void Lights::finish(double brightness) {
-    for (scene::Light& light : scene_.lights) {
-        light.power->rgb *= brightness;
+// A picture all around: of version 4 a square of equal areas, of version 3 latitudes and longitudes, tinted by "L".
+void Lights::add_surroundings(const Recipe& light, const LightColor& color, const glm::dmat4& to_world) {
+    const Parameters& parameters = light.parameters;
+    const bool old = !parameters.has("filename");
+    const Parameter* parameter = parameters.find(old ? "mapname" : "filename");
+    const auto name = parameters.string(old ? "mapname" : "filename");
+    if (!name) {
+        return;
     }
-    scene_.background.zenith.rgb *= brightness;
-    scene_.background.horizon.rgb *= brightness;
-    scene_.background.nadir.rgb *= brightness;
+    Environment environment;
+    environment.position = Parameters::position_of(*parameter);
+    environment.file = find_file(context_, *name, *parameter->text);
+    if (!context_.files.image(environment.file, environment.position)) {
+        return;
+    }
+    environment.square = !old && !version3_;
+    environment.scale = (parameters.has("L") || version3_ ? visible_light(color.color) : scene::Rgb(1.0)) * color.scale;
+    environment.to_light = glm::inverse(glm::dmat3(to_world));
+    if (environment.square) {
+        try {
+            environment.image = read_image(environment.file);
+        } catch (const std::runtime_error& problem) {
+            context_.diagnostics.error(environment.position, problem.what());
+            return;
+        }
+        if (environment.image.width != environment.image.height) {
+            context_.diagnostics.error(environment.position,
+                                       fmt::format("surroundings of pbrt-v4 are square pictures; this one is {} x {} pixels",
+                                                   environment.image.width, environment.image.height));
+            return;
+        }
+        if (const auto illuminance = parameters.number("illuminance"); illuminance && *illuminance > 0.0) {
+            const double given = illuminance_of(environment.image);
+            environment.scale *= given > 0.0 ? *illuminance / given : 1.0;
+        }
+        context_.report.approximated(parameters.owner() + ": a square of equal areas", "latitudes and longitudes as fine",
+                                     parameters.position());
+    } else {
+        context_.report.honoured(parameters.owner(), parameters.position());
+    }
+    environments_.push_back(std::move(environment));
+}
+
+void Lights::place_surroundings(double brightness) {
+    scene::Background& background = scene_.background;
+    if (environments_.empty()) {
+        Color even;
+        if (everywhere_.size() == 1) {
+            even = everywhere_.front() * brightness;
+        } else {
+            for (const Color& part : everywhere_) {
+                even.rgb += visible_light(part) * brightness;
+            }
+        }
+        background.zenith = background.horizon = background.nadir = even;
+        return;
+    }
+    scene::Rgb rest(0.0);
+    for (const Color& part : everywhere_) {
+        rest += visible_light(part);
+    }
+    if (environments_.size() == 1 && !environments_.front().square && rest == scene::Rgb(0.0) &&
+        turned_axes(environments_.front(), background.axes)) {
+        scene::ImageTexture image;
+        image.file = environments_.front().file;
+        image.position = environments_.front().position;
+        image.tint = environments_.front().scale;
+        background.image = image;
+        background.rotation = 180.0;
+    } else {
+        for (Environment& environment : environments_) {
+            try {
+                environment.image = environment.image.pixels.empty() ? read_image(environment.file) : std::move(environment.image);
+            } catch (const std::runtime_error& problem) {
+                context_.diagnostics.error(environment.position, problem.what());
+                return;
+            }
+        }
+        background.image = panorama_of(environments_, rest);
+    }
+    background.strength = brightness;
+}
+
+void Lights::add_goniometric(const Recipe& light, const glm::dmat4& to_world) {
+    const Parameters& parameters = light.parameters;
+    LightColor color = read_light_color(light, "I", version3_);
+    const scene::Rgb mean = mean_of_picture(parameters).value_or(scene::Rgb(1.0));
+    if (const auto power = parameters.number("power"); power && *power > 0.0) {
+        color.scale *= *power / (4.0 * pi * std::max((mean.x + mean.y + mean.z) / 3.0, 1e-6));
+    }
+    push(light, scene::PointLight{apply_to_point(to_world, glm::dvec3(0.0))}, Color(visible_light(color.color) * mean * color.scale));
+    context_.report.approximated(parameters.owner(), "a point light of the same power", parameters.position());
+}
+
+// A cone as wide as the picture is high.
+void Lights::add_projection(const Recipe& light, const glm::dmat4& to_world) {
+    const Parameters& parameters = light.parameters;
+    const scene::Rgb mean = mean_of_picture(parameters).value_or(scene::Rgb(1.0));
+    const double fov = std::clamp(parameters.number("fov", version3_ ? 45.0 : 90.0), 1.0, 179.0);
+    double scale = parameters.number("scale", 1.0);
+    if (const auto power = parameters.number("power"); power && *power > 0.0) {
+        scale *= *power / (2.0 * pi * (1.0 - std::cos(glm::radians(fov / 2.0))) * std::max((mean.x + mean.y + mean.z) / 3.0, 1e-6));
+    }
+    parameters.pass_over({"I"});
+    push(light,
+         scene::SpotLight{apply_to_point(to_world, glm::dvec3(0.0)), apply_to_direction(to_world, {0.0, 0.0, 1.0}), fov / 2.0, fov / 40.0},
+         Color(mean * scale));
+    context_.report.approximated(parameters.owner(), "a spot light of the picture's mean colour", parameters.position());
+}
+
+void Lights::push(const Recipe& light, std::variant<scene::PointLight, scene::SpotLight, scene::DirectionalLight> model,
+                  const Color& power) {
+    scene::Light made;
+    made.model = std::move(model);
+    made.position = light.parameters.position();
+    scene_.lights.push_back(std::move(made));
+    powers_.push_back(power);
+}
+
+void Lights::finish(double brightness) {
+    for (std::size_t i = 0; i < powers_.size(); ++i) {
+        scene_.lights[i].power = powers_[i] * brightness;
+    }
     const bool shines =
         std::any_of(scene_.materials.begin(), scene_.materials.end(), [](const scene::Material& m) { return m.emission.has_value(); });
-    if (!shines && scene_.lights.empty() && scene_.background.zenith.rgb == scene::Rgb(0.0)) {
-        scene_.background = {scene::Rgb(1.0), scene::Rgb(1.0), scene::Rgb(1.0)};
+    if (!shines && scene_.lights.empty() && everywhere_.empty() && environments_.empty()) {
+        everywhere_.push_back(Color(scene::Rgb(1.0 / brightness)));
         context_.diagnostics.warning({scene_.file, 0, 0}, "this scene has no light: white light comes from everywhere instead");
     }
+    place_surroundings(brightness);
 }
 
 }  // namespace lancer::pbrt

@@ -22,17 +22,19 @@ int MaterialTable::add_area_light(Recipe light) {
     return static_cast<int>(area_lights_.size()) - 1;
 }
 
-int MaterialTable::material_for(const Choice& choice, const Parameters& shape, double area) {
+int MaterialTable::material_for(Choice choice, const Recipe& shape, double area) {
+    const Parameter* alpha = shape.parameters.find("alpha");
+    choice.alpha = alpha != nullptr ? alpha->values : std::string_view();
     // Only of a light with a total power the brightness depends on the area.
     const bool has_power = choice.area_light >= 0 && area_lights_[static_cast<std::size_t>(choice.area_light)].parameters.has("power");
     const auto [found, is_new] = numbers_.try_emplace(std::make_pair(choice, has_power ? area : 0.0), static_cast<int>(wanted_.size()));
     if (is_new) {
-        wanted_.push_back({choice, area, shape.position()});
+        wanted_.push_back({choice, area, shape});
     }
     return found->second;
 }
 
-const Recipe* MaterialTable::find(const MaterialChoice& choice, const SourcePosition& position) {
+const Recipe* MaterialTable::find(const MaterialChoice& choice, const SourcePosition& position) const {
     if (choice.recipe >= 0) {
         return &recipes_[static_cast<std::size_t>(choice.recipe)];
     }
@@ -120,15 +122,55 @@ void MaterialTable::fill_with_medium(const Wanted& wanted, scene::Material& mate
     }
 }
 
+int MaterialTable::part_of_mix(const std::string& name, const Recipe& asking, scene::Scene& scene) {
+    const SourcePosition& position = asking.parameters.position();
+    const Recipe* recipe = find({-1, name, asking.sequence}, position);
+    if (const auto known = parts_.find(recipe); known != parts_.end()) {
+        return known->second;
+    }
+    constexpr std::size_t deepest = 64;
+    scene::Material material = grey_material(position);
+    if (std::find(being_built_.begin(), being_built_.end(), recipe) != being_built_.end() || being_built_.size() > deepest) {
+        context_.diagnostics.error(position, fmt::format("the material \"{}\" is mixed from itself, or from too many others", name));
+    } else {
+        material = built(recipe, position, scene);
+        material.name = name;
+    }
+    const int number = static_cast<int>(scene.materials.size());
+    scene.materials.push_back(std::move(material));
+    parts_.emplace(recipe, number);
+    return number;
+}
+
+scene::Material MaterialTable::built(const Recipe* recipe, const SourcePosition& position, scene::Scene& scene) {
+    if (recipe == nullptr) {
+        return grey_material(position);
+    }
+    const FindMaterial find_part = [&](const std::string& name, const Recipe& asking) { return part_of_mix(name, asking, scene); };
+    being_built_.push_back(recipe);
+    scene::Material material =
+        version3_ ? build_old_material(*recipe, textures_, find_part) : build_material(*recipe, textures_, find_part);
+    add_relief(*recipe, textures_, material);
+    recipe->parameters.pass_over({"type"});
+    being_built_.pop_back();
+    return material;
+}
+
 void MaterialTable::finish(scene::Scene& scene, double brightness) {
-    for (const Wanted& wanted : wanted_) {
-        const Recipe* recipe = find(wanted.choice.material, wanted.position);
-        scene::Material material = recipe != nullptr ? build_material(*recipe, textures_, version3_)
-                                                     : scene::Material{{}, scene::DiffuseMaterial{scene::Rgb(0.5), 0.0}, wanted.position};
+    // The numbers of these are in use already; parts of mixes come after them.
+    scene.materials.resize(wanted_.size());
+    for (std::size_t i = 0; i < wanted_.size(); ++i) {
+        const Wanted& wanted = wanted_[i];
+        const SourcePosition& position = wanted.shape.parameters.position();
+        scene::Material material = built(find(wanted.choice.material, position), position, scene);
         material.name = wanted.choice.material.name;
         material.emission = emission(wanted, brightness);
         fill_with_medium(wanted, material);
-        scene.materials.push_back(std::move(material));
+        if (!wanted.choice.alpha.empty()) {
+            material.opacity = textures_.value(wanted.shape, "alpha", 1.0, [](double share) { return std::clamp(share, 0.0, 1.0); });
+            context_.report.honoured("\"alpha\"", position);
+        }
+        scene.materials[i] = std::move(material);
     }
     for (const Recipe& recipe : recipes_) {
         recipe.parameters.warn_of_unused();

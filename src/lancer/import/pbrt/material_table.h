@@ -28,12 +28,13 @@ public:
         int area_light = -1;
         std::string inside;
         std::string outside;
+        std::string_view alpha = {};  // of the shape, as written
 
         auto operator<=>(const Choice&) const = default;
     };
 
     // The number that the material will have in the scene. `area`: of the shape in square metres, where it shines.
-    int material_for(const Choice& choice, const Parameters& shape, double area);
+    int material_for(Choice choice, const Recipe& shape, double area);
 
     // Makes all of them; named ones may have been defined after their use. `brightness` is a factor for all light.
     void finish(scene::Scene& scene, double brightness);
@@ -42,10 +43,12 @@ private:
     struct Wanted {
         Choice choice;
         double area = 0.0;
-        SourcePosition position;  // of the first shape
+        Recipe shape;  // the first one
     };
 
-    const Recipe* find(const MaterialChoice& choice, const SourcePosition& position);
+    const Recipe* find(const MaterialChoice& choice, const SourcePosition& position) const;
+    scene::Material built(const Recipe* recipe, const SourcePosition& position, scene::Scene& scene);
+    int part_of_mix(const std::string& name, const Recipe& asking, scene::Scene& scene);
     std::optional<scene::Emission> emission(const Wanted& wanted, double brightness) const;
     void fill_with_medium(const Wanted& wanted, scene::Material& material) const;
 
@@ -58,6 +61,8 @@ private:
     std::map<std::string, Recipe, std::less<>> media_;
     std::vector<Wanted> wanted_;
     std::map<std::pair<Choice, double>, int> numbers_;
+    std::map<const Recipe*, int> parts_;      // of mixes: numbers in the scene
+    std::vector<const Recipe*> being_built_;  // none may be a part of itself
 };
 
 }  // namespace lancer::pbrt

@@ -18,6 +18,10 @@ namespace lancer::pbrt {
 
 namespace {
 
+Color measured(std::vector<double> nanometres, std::vector<double> values, std::optional<double> luminance) {
+    return scene::Spectrum{scene::MeasuredSpectrum{std::move(nanometres), std::move(values)}, 1.0, luminance};
+}
+
 bool is_rgb(const Parameter& parameter) { return parameter.type == "rgb" || parameter.type == "color"; }
 
 std::optional<scene::Rgb> read_triple(const Parameters& parameters, const Parameter& parameter) {
@@ -93,28 +97,69 @@ std::optional<SpectralCurve> read_measured(const Parameters& parameters, const P
 std::optional<Color> read_share(const Parameters& parameters, const Parameter& parameter, ColorSpace space) {
     if (is_rgb(parameter)) {
         const auto rgb = read_triple(parameters, parameter);
-        return rgb ? std::optional<Color>(glm::clamp(share_to_srgb(space, *rgb), 0.0, 1.0)) : std::nullopt;
+        return rgb ? std::optional<Color>(scene::Rgb(glm::clamp(share_to_srgb(space, *rgb), 0.0, 1.0))) : std::nullopt;
     }
     if (parameter.type == "xyz") {
         const auto xyz = read_triple(parameters, parameter);
-        return xyz ? std::optional<Color>(glm::clamp(xyz_to_rgb(*xyz), 0.0, 1.0)) : std::nullopt;
+        return xyz ? std::optional<Color>(scene::Rgb(glm::clamp(xyz_to_rgb(*xyz), 0.0, 1.0))) : std::nullopt;
     }
     const auto curve = read_measured(parameters, parameter);
-    return curve ? std::optional<Color>(glm::clamp(reflected_rgb(curve->with_ends(SpectralCurve::Beyond::constant)), 0.0, 1.0))
-                 : std::nullopt;
+    if (!curve) {
+        return std::nullopt;
+    }
+    std::vector<double> values = curve->values();
+    for (double& value : values) {
+        value = std::clamp(value, 0.0, 1.0);
+    }
+    return measured(curve->nanometres(), std::move(values), std::nullopt);
 }
 
 std::optional<Color> read_light(const Parameters& parameters, const Parameter& parameter, ColorSpace space, bool version3) {
     if (is_rgb(parameter)) {
         const auto rgb = read_triple(parameters, parameter);
-        return rgb ? std::optional<Color>(glm::max(light_to_srgb(space, *rgb), 0.0)) : std::nullopt;
+        return rgb ? std::optional<Color>(scene::Rgb(glm::max(light_to_srgb(space, *rgb), 0.0))) : std::nullopt;
     }
     if (parameter.type == "xyz") {
         const auto xyz = read_triple(parameters, parameter);
-        return xyz ? std::optional<Color>(glm::max(xyz_to_rgb(*xyz), 0.0)) : std::nullopt;
+        return xyz ? std::optional<Color>(scene::Rgb(glm::max(xyz_to_rgb(*xyz), 0.0))) : std::nullopt;
     }
     const auto curve = read_measured(parameters, parameter);
-    return curve ? std::optional<Color>(glm::max(to_rgb(version3 ? *curve : with_unit_luminance(*curve)), 0.0)) : std::nullopt;
+    if (!curve) {
+        return std::nullopt;
+    }
+    std::vector<double> values = curve->values();
+    for (double& value : values) {
+        value = std::max(value, 0.0);
+    }
+    return measured(curve->nanometres(), std::move(values), version3 ? std::nullopt : std::optional(1.0));
+}
+
+scene::Rgb visible(const Color& share) {
+    const auto* values = share.spectrum ? std::get_if<scene::MeasuredSpectrum>(&share.spectrum->shape) : nullptr;
+    if (!values) {
+        return share.rgb;
+    }
+    const SpectralCurve curve(values->nanometres, values->values, SpectralCurve::Beyond::constant);
+    return glm::clamp(reflected_rgb(curve) * share.spectrum->scale, 0.0, 1.0);
+}
+
+scene::Rgb visible_light(const Color& light) {
+    const auto* values = light.spectrum ? std::get_if<scene::MeasuredSpectrum>(&light.spectrum->shape) : nullptr;
+    if (!values) {
+        return light.rgb;
+    }
+    const SpectralCurve curve(values->nanometres, values->values, SpectralCurve::Beyond::zero);
+    const auto luminance = light.spectrum->luminance;
+    return glm::max(to_rgb(luminance ? with_unit_luminance(curve).scaled(*luminance) : curve), 0.0) * light.spectrum->scale;
+}
+
+Color operator*(const Color& color, double factor) {
+    if (!color.spectrum) {
+        return Color(color.rgb * factor);
+    }
+    scene::Spectrum scaled = *color.spectrum;
+    scaled.scale *= factor;
+    return scaled;
 }
 
 std::optional<SpectralCurve> read_curve(const Parameters& parameters, const Parameter& parameter, ColorSpace space) {
@@ -135,6 +180,22 @@ std::optional<SpectralCurve> read_curve(const Parameters& parameters, const Para
         values.push_back(scale * smooth.at(nanometres.back()));
     }
     return SpectralCurve(std::move(nanometres), std::move(values), SpectralCurve::Beyond::constant);
+}
+
+std::optional<scene::Index> read_index(const Parameters& parameters, const Parameter& parameter, ColorSpace space) {
+    if (is_rgb(parameter)) {
+        const auto rgb = read_triple(parameters, parameter);
+        return rgb ? std::optional<scene::Index>(glm::max(share_to_srgb(space, *rgb), 0.0)) : std::nullopt;
+    }
+    const auto curve = read_measured(parameters, parameter);
+    if (!curve) {
+        return std::nullopt;
+    }
+    if (!(curve->lowest() >= 0.0)) {
+        parameters.error(parameter, fmt::format("\"{}\" must not be negative", parameter.name));
+        return std::nullopt;
+    }
+    return scene::MeasuredSpectrum{curve->nanometres(), curve->values()};
 }
 
 }  // namespace lancer::pbrt

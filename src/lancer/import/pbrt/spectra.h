@@ -10,7 +10,13 @@
 
 namespace lancer::pbrt {
 
-using Color = scene::Rgb;
+using Color = scene::Color;
+
+// How a share looks, and a light.
+scene::Rgb visible(const Color& share);
+scene::Rgb visible_light(const Color& light);
+
+Color operator*(const Color& color, double factor);
 
 // A share of light, such as a reflectance; nothing after an error.
 std::optional<Color> read_share(const Parameters& parameters, const Parameter& parameter, ColorSpace space);
@@ -21,5 +27,8 @@ std::optional<Color> read_light(const Parameters& parameters, const Parameter& p
 
 // An index or an absorption, over wavelength; of rgb a smooth curve through the three numbers.
 std::optional<SpectralCurve> read_curve(const Parameters& parameters, const Parameter& parameter, ColorSpace space);
+
+// Part of a complex index of refraction.
+std::optional<scene::Index> read_index(const Parameters& parameters, const Parameter& parameter, ColorSpace space);
 
 }  // namespace lancer::pbrt

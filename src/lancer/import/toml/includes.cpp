@@ -170,13 +170,21 @@ private:
     }
 
     void turn(scene::Background& background, const glm::dmat4& map, const SourcePosition& position) {
-        const glm::dvec3 x = glm::dvec3(map[0]), y = glm::dvec3(map[1]);
-        const bool is_upright = y.y > 0.0 && glm::length(glm::dvec2(y.x, y.z)) < 1e-6 * y.y && std::abs(x.y) < 1e-6 * glm::length(x) &&
-                                glm::determinant(glm::dmat3(map)) > 0.0;
-        if (!is_upright) {
-            context_.messages.warning(position, "the surroundings of this file stay upright");
-        } else if (background.image) {
-            background.rotation += glm::degrees(std::atan2(-x.z, x.x));
+        const glm::dmat3 all(map);
+        const double scale = std::cbrt(std::abs(glm::determinant(all)));
+        const glm::dmat3 rotation = all / scale;
+        const glm::dmat3 square = glm::transpose(rotation) * rotation;
+        double off = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                off = std::max(off, std::abs(square[i][j] - (i == j ? 1.0 : 0.0)));
+            }
+        }
+        const bool stays_upright = glm::length(rotation[1] - glm::dvec3(0.0, 1.0, 0.0)) < 1e-6;
+        if (background.image && off < 1e-6) {
+            background.axes = rotation * background.axes;
+        } else if (background.image || !stays_upright) {
+            context_.messages.warning(position, "the surroundings of this file are not turned with it");
         }
     }
 

@@ -40,8 +40,22 @@ Table physical(std::string_view type, std::string_view help, std::vector<Key> ke
 }
 
 const Key roughness{"roughness", Kind::value, 0.0, share, "", "From 0, polished, to 1; its square is the width of the facets' slopes."};
-const Key anisotropy{"anisotropy",        Kind::value, 0.0,
-                     Range{-1000.0, 1.0}, "",          "How much smoother the surface is along u than along v; below 0, rougher."};
+const Key facets{"facets", Kind::choice,       "ggx", any, "", "How the small mirrors of a rough surface are distributed.",
+                 false,    {"ggx", "beckmann"}};
+const Key facet_shadows{"facet_shadows",
+                        Kind::choice,
+                        "correlated",
+                        any,
+                        "",
+                        "How they hide one another: as high ones are seen from everywhere, or towards either direction by itself.",
+                        false,
+                        {"correlated", "separate"}};
+const Key facet_light{
+    "facet_light", Kind::choice,    "kept", any, "", "What becomes of light that meets several of them; many programs lose it.",
+    false,         {"kept", "lost"}};
+const Key anisotropy{"anisotropy", Kind::value,
+                     0.0,          Range{-100.0, 1.1},
+                     "",           "How much smoother the surface is along u than along v, 0 to 1; below 0 it is rougher."};
 
 }  // namespace
 
@@ -73,14 +87,18 @@ const Table& diffuse_material() {
 }
 
 const Table& conductor_material() {
-    static const Table table = physical(
-        "conductor", "A metal, polished or rough.",
-        {{"metal", Kind::text, none, any, "", "Its name, such as \"gold\" or \"Cu\": measured indices are used; instead of color."},
-         {"n", Kind::curve, none, Range{0.0, 1000.0}, "", "The real part of its refractive index, with k; instead of metal and color."},
-         {"k", Kind::curve, none, Range{0.0, 1000.0}, "", "The imaginary part."},
-         {"color", Kind::texture, glm::dvec3(1.0), share, "", "The share of light that it mirrors when looked at straight on."},
-         roughness,
-         anisotropy});
+    static const Table table =
+        physical("conductor", "A metal, polished or rough.",
+                 {{"metal", Kind::text, none, any, "", "Its name, such as \"gold\" or \"Cu\": measured indices are used."},
+                  {"n", Kind::index, none, Range{0.0, 1000.0}, "", "The real part of its refractive index, with k; instead of metal."},
+                  {"k", Kind::index, none, Range{0.0, 1000.0}, "", "The imaginary part."},
+                  {"color", Kind::texture, glm::dvec3(1.0), share, "",
+                   "The share of light that it mirrors when looked at straight on; of a metal with an index, a tint."},
+                  roughness,
+                  anisotropy,
+                  facets,
+                  facet_shadows,
+                  facet_light});
     return table;
 }
 
@@ -93,7 +111,10 @@ const Table& dielectric_material() {
          anisotropy,
          {"color", Kind::texture, glm::dvec3(1.0), share, "", "A tint of all light that it mirrors or lets through; white in nature."},
          {"absorption", Kind::color, origin, not_negative, "1/m", "How fast each colour fades inside: exp(-absorption * depth)."},
-         {"thin", Kind::flag, false, any, "", "A pane without thickness: light passes straight through."}});
+         {"thin", Kind::flag, false, any, "", "A pane without thickness: light passes straight through."},
+         facets,
+         facet_shadows,
+         facet_light});
     return table;
 }
 
@@ -103,7 +124,10 @@ const Table& plastic_material() {
                  {{"color", Kind::texture, glm::dvec3(0.8), share, "", "The share of light that the body scatters."},
                   {"refraction", Kind::number, 1.5, Range{1.0, 3.0}, "", "The refractive index of the coat."},
                   roughness,
-                  {"saturates", Kind::flag, true, any, "", "Light that the coat sends back into the body takes its colour once more."}});
+                  {"saturates", Kind::flag, true, any, "", "Light that the coat sends back into the body takes its colour once more."},
+                  facets,
+                  facet_shadows,
+                  facet_light});
     return table;
 }
 
@@ -125,6 +149,26 @@ const Table& principled_material() {
          {"sheen_roughness", Kind::value, 0.3, share, "", "Of the fibres."},
          {"film", Kind::value, 0.0, Range{0.0, 10000.0}, "nm", "The thickness of a film that shimmers in colours; 0 for none."},
          {"film_refraction", Kind::number, 1.3, Range{1.0, 10.0}, "", "The refractive index of the film."}});
+    return table;
+}
+
+const Table& burley_material() {
+    static const Table table = physical(
+        "burley", "Burley's surface, as films and games know it: for scenes of other programs. Its layers do not share the light out.",
+        {{"color", Kind::texture, glm::dvec3(0.5), share, "", "The colour of the base."},
+         {"roughness", Kind::value, 0.5, share, "", "From 0, polished, to 1; its square is the width of the facets' slopes."},
+         {"anisotropy", Kind::value, 0.0, Range{0.0, 1.0}, "", "How much rougher the surface is along u than along v."},
+         {"refraction", Kind::number, 1.5, Range{1.0, 3.0}, "", "The refractive index of the base where it is no metal."},
+         {"specular_tint", Kind::number, 0.0, share, "", "How much of the base's colour it takes that the surface reflects."},
+         {"metalness", Kind::value, 0.0, share, "", "From 0, none, to 1, a metal."},
+         {"transmission", Kind::value, 0.0, share, "", "How much of the base is a clear body, or of a sheet clear."},
+         {"flatness", Kind::number, 0.0, share, "", "How flat the diffuse body looks, as if light went about in it."},
+         {"sheen", Kind::value, 0.0, share, "", "Light along the edges, as of cloth."},
+         {"sheen_tint", Kind::number, 0.0, share, "", "How much of the base's colour it takes."},
+         {"coat", Kind::value, 0.0, share, "", "How much of the surface a clear coat covers."},
+         {"coat_gloss", Kind::number, 0.0, share, "", "From 0, blurred, to 1, sharp."},
+         {"thin", Kind::flag, false, any, "", "A sheet without inside: no metal, no coat; what passes through is not bent."},
+         {"passes", Kind::value, 0.0, share, "", "Of a sheet: the share of its diffuse light that goes through."}});
     return table;
 }
 

@@ -112,21 +112,39 @@ scene::DiffuseMaterial read_diffuse(Context& context, TableReader& reader) {
     return {read_texture(context, reader, "color"), read_value(context, reader, "roughness")};
 }
 
-std::optional<scene::MeasuredSpectrum> read_index(Context& context, TableReader& reader, std::string_view name) {
-    const toml::node* node = reader.value(name, Kind::curve);
-    auto curve = node ? read_curve(context, *node, reader.described(name, Kind::curve)) : std::nullopt;
-    if (node && !curve) {
-        reader.spoil();
+std::optional<scene::Index> read_index(Context& context, TableReader& reader, std::string_view name) {
+    const toml::node* node = reader.value(name, Kind::index);
+    if (!node) {
+        return std::nullopt;
     }
-    return curve;
+    const Key& key = reader.described(name, Kind::index);
+    if (node->is_array()) {
+        scene::Rgb rgb(0.0);
+        if (!read_numbers(reader.messages(), *node, key, 3, "a curve or three numbers [r, g, b]", &rgb.x)) {
+            reader.spoil();
+        }
+        return rgb;
+    }
+    auto curve = read_curve(context, *node, key);
+    if (!curve) {
+        reader.spoil();
+        return std::nullopt;
+    }
+    return std::move(*curve);
+}
+
+scene::Facets read_facets(TableReader& reader) {
+    scene::Facets facets;
+    facets.distribution = reader.choice("facets") == 1 ? scene::Facets::Distribution::beckmann : scene::Facets::Distribution::ggx;
+    facets.separate = reader.choice("facet_shadows") == 1;
+    facets.once = reader.choice("facet_light") == 1;
+    return facets;
 }
 
 scene::ConductorMaterial read_conductor(Context& context, TableReader& reader) {
     scene::ConductorMaterial model;
     model.metal = reader.text("metal");
-    if (reader.has("metal") && reader.has("color")) {
-        reader.error("color", "a conductor has either \"metal\" or \"color\"");
-    } else if (reader.has("metal") && !find_metal(model.metal)) {
+    if (reader.has("metal") && !find_metal(model.metal)) {
         const std::string hint = did_you_mean(model.metal, metal_names());
         reader.error("metal", fmt::format("there is no metal \"{}\"{}", model.metal,
                                           hint.empty() ? "; known are " + some_of(metal_names()) : ";" + hint));
@@ -136,14 +154,13 @@ scene::ConductorMaterial read_conductor(Context& context, TableReader& reader) {
     if (reader.has("n") != reader.has("k")) {
         reader.error(reader.has("n") ? "n" : "k", "\"n\" and \"k\" belong together");
     }
-    for (const char* key : {"metal", "color"}) {
-        if (reader.has("n") && reader.has(key)) {
-            reader.error(key, fmt::format("a conductor has either \"n\" and \"k\" or \"{}\"", key));
-        }
+    if (reader.has("n") && reader.has("metal")) {
+        reader.error("metal", "a conductor has either \"n\" and \"k\" or \"metal\"");
     }
     model.color = read_texture(context, reader, "color");
     model.roughness = read_value(context, reader, "roughness");
     model.anisotropy = read_value(context, reader, "anisotropy");
+    model.facets = read_facets(reader);
     return model;
 }
 
@@ -155,6 +172,7 @@ scene::DielectricMaterial read_dielectric(Context& context, TableReader& reader)
     model.anisotropy = read_value(context, reader, "anisotropy");
     model.absorption = read_color(context, reader, "absorption");
     model.thin = reader.flag("thin");
+    model.facets = read_facets(reader);
     if (reader.good() && model.thin && model.roughness.most() > 0.0) {
         reader.error("roughness", "a thin dielectric is smooth: write roughness = 0, or thin = false");
     }
@@ -163,7 +181,7 @@ scene::DielectricMaterial read_dielectric(Context& context, TableReader& reader)
 
 scene::PlasticMaterial read_plastic(Context& context, TableReader& reader) {
     return {read_texture(context, reader, "color"), reader.number("refraction"), read_value(context, reader, "roughness"),
-            reader.flag("saturates")};
+            reader.flag("saturates"), read_facets(reader)};
 }
 
 scene::PrincipledMaterial read_principled(Context& context, TableReader& reader) {
@@ -183,6 +201,25 @@ scene::PrincipledMaterial read_principled(Context& context, TableReader& reader)
     model.sheen_roughness = read_value(context, reader, "sheen_roughness");
     model.film = read_value(context, reader, "film");
     model.film_refraction = reader.number("film_refraction");
+    return model;
+}
+
+scene::BurleyMaterial read_burley(Context& context, TableReader& reader) {
+    scene::BurleyMaterial model;
+    model.color = read_texture(context, reader, "color");
+    model.roughness = read_value(context, reader, "roughness");
+    model.anisotropy = read_value(context, reader, "anisotropy");
+    model.refraction = reader.number("refraction");
+    model.specular_tint = reader.number("specular_tint");
+    model.metalness = read_value(context, reader, "metalness");
+    model.transmission = read_value(context, reader, "transmission");
+    model.flatness = reader.number("flatness");
+    model.sheen = read_value(context, reader, "sheen");
+    model.sheen_tint = reader.number("sheen_tint");
+    model.coat = read_value(context, reader, "coat");
+    model.coat_gloss = reader.number("coat_gloss");
+    model.thin = reader.flag("thin");
+    model.passes = read_value(context, reader, "passes");
     return model;
 }
 
@@ -260,6 +297,9 @@ scene::Material Materials::read_table(const toml::table& table) {
             break;
         case 5:
             material.model = read_principled(context_, reader);
+            break;
+        case 6:
+            material.model = read_burley(context_, reader);
             break;
         default:
             material.model = read_mix(reader);

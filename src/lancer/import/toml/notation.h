@@ -31,6 +31,7 @@ enum class Kind {
     texture,     // a color, a checker, an image or the colours of a mesh
     value,       // a number, or { texture, channel, scale, offset }
     curve,       // 1.5, "file.csv", { wavelengths = [...], values = [...] }
+    index,       // a curve, or [r, g, b]
     refraction,  // 1.5, "N-BK7", { index = 1.5, abbe_number = 60 }, { b = [...], c = [...] }
     material,    // a name, or a material written in place
     rotation,    // degrees about x, y, z; or { axis = [...], angle = ... }
@@ -91,6 +92,7 @@ const Table& conductor_material();
 const Table& dielectric_material();
 const Table& plastic_material();
 const Table& principled_material();
+const Table& burley_material();
 const Table& mix_material();
 const Table& checker();
 const Table& image();

@@ -76,6 +76,9 @@ Json value_schema(const Key& key) {
                                            reference("sellmeier_glass"), reference("curve")})}};
         case Kind::curve:
             return {{"anyOf", Json::array({numbers(key.range, "number"), Json{{"type", "string"}, {"minLength", 1}}, reference("curve")})}};
+        case Kind::index:
+            return {{"anyOf", Json::array({numbers(key.range, "number"), Json{{"type", "string"}, {"minLength", 1}}, reference("curve"),
+                                           list(numbers(key.range, "number"), 3)})}};
         case Kind::material:
             return {{"anyOf", Json::array({Json{{"type", "string"}}, reference("material")})}};
         case Kind::rotation:

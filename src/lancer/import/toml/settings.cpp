@@ -1,6 +1,9 @@
 #include "lancer/import/toml/settings.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "lancer/base/file.h"
 #include "lancer/import/toml/colors.h"
@@ -39,6 +42,29 @@ scene::Background read_colors(Context& context, TableReader& reader) {
     return gradient;
 }
 
+glm::dmat3 read_axes(TableReader& reader) {
+    const Key& key = reader.described("axes", Kind::vectors3);
+    const toml::array* list = reader.value("axes", Kind::vectors3)->as_array();
+    constexpr double tolerance = 1e-4;
+    glm::dmat3 result(1.0);
+    bool right = list != nullptr && list->size() == 3;
+    for (int i = 0; right && i < 3; ++i) {
+        if (!read_numbers(reader.messages(), *list->get(static_cast<std::size_t>(i)), key, 3, "three numbers [x, y, z]", &result[i].x)) {
+            reader.spoil();
+            return glm::dmat3(1.0);  // said already
+        }
+        right = std::abs(glm::dot(result[i], result[i]) - 1.0) < tolerance;
+        for (int j = 0; j < i; ++j) {
+            right = right && std::abs(glm::dot(result[i], result[j])) < tolerance;
+        }
+    }
+    if (!right) {
+        reader.error("axes", "\"axes\" must be three directions of length 1, at right angles to one another");
+        return glm::dmat3(1.0);
+    }
+    return result;
+}
+
 scene::Background read_background_table(Context& context, TableReader& reader) {
     scene::Background result = read_colors(context, reader);
     const std::string file = reader.text("image");
@@ -52,17 +78,26 @@ scene::Background read_background_table(Context& context, TableReader& reader) {
         image.file = path_beside(context.messages.file(), file);
         image.position = reader.position("image");
         image.linear = reader.choice("encoding") == 1;
+        image.tint = read_rgb(reader, "tint");
         if (context.files.image(image, image.position)) {
             result.image = image;
         } else {
             reader.spoil();
         }
     } else {
-        for (const char* key : {"rotation", "encoding"}) {
+        for (const char* key : {"rotation", "axes"}) {
+            if (reader.has(key)) {
+                reader.error(key, fmt::format("\"{}\" turns an \"image\"; this background has none", key));
+            }
+        }
+        for (const char* key : {"encoding", "tint"}) {
             if (reader.has(key)) {
                 reader.error(key, fmt::format("\"{}\" is said of an \"image\"; this background has none", key));
             }
         }
+    }
+    if (reader.has("axes")) {
+        result.axes = read_axes(reader);
     }
     result.rotation = reader.number("rotation");
     result.strength = reader.number("strength");

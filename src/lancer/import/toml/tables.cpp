@@ -364,6 +364,9 @@ const Table& background() {
          {"encoding", Kind::choice, "srgb", any, "", "How 8 and 16 bits store colours in the image.", false, {"srgb", "linear"}},
          {"rotation", Kind::number, 0.0, Range{-36000.0, 36000.0}, "degrees",
           "Turns the image about the y axis, counter-clockwise as seen from above."},
+         {"tint", Kind::rgb, glm::dvec3(1.0), not_negative, "", "Multiplies the colours of the image."},
+         {"axes", Kind::vectors3, none, Range{-1.0, 1.0}, "",
+          "Where x, y and z of the turned image lie: three directions of length 1, at right angles."},
          {"strength", Kind::number, 1.0, not_negative, "", "Times this."},
          {"visible", Kind::flag, true, any, "", "Whether the camera sees it, and not only what it lights (path)."}}};
     return table;

@@ -9,6 +9,29 @@ namespace {
 
 const scene::Color black{};
 
+const char* word(scene::Facets::Distribution distribution) {
+    switch (distribution) {
+        case scene::Facets::Distribution::ggx:
+            return "ggx";
+        case scene::Facets::Distribution::beckmann:
+            return "beckmann";
+    }
+    return "";
+}
+
+void write_facets(Fields& fields, const scene::Facets& facets) {
+    const auto& [distribution, separate, once] = facets;
+    fields.text("facets", word(distribution), word(scene::Facets{}.distribution));
+    fields.text("facet_shadows", separate ? "separate" : "correlated", "correlated");
+    fields.text("facet_light", once ? "lost" : "kept", "kept");
+}
+
+std::string write_index(const scene::Index& index) {
+    return std::visit(Overloaded{[](const scene::MeasuredSpectrum& curve) { return write_curve(curve); },
+                                 [](const scene::Rgb& rgb) { return list_text(rgb); }},
+                      index);
+}
+
 void write_model(Fields& fields, WriteContext& context, const scene::WhittedMaterial& model) {
     const auto& [color, ambient, diffuse, highlight, shininess, reflectivity, transparency, refraction, absorption] = model;
     const scene::WhittedMaterial preset{};
@@ -31,23 +54,23 @@ void write_model(Fields& fields, WriteContext& context, const scene::DiffuseMate
 }
 
 void write_model(Fields& fields, WriteContext& context, const scene::ConductorMaterial& model) {
-    const auto& [metal, color, roughness, anisotropy, n, k] = model;
+    const auto& [metal, color, roughness, anisotropy, n, k, facets] = model;
     fields.text("type", "conductor");
-    // One of these three is meant; the others have no effect.
-    if (n && k) {
-        fields.raw("n", write_curve(*n));
-        fields.raw("k", write_curve(*k));
-    } else if (!metal.empty()) {
+    // A metal's name is meant where there is one, and its index has no effect then.
+    if (!metal.empty()) {
         fields.text("metal", metal);
-    } else {
-        add_texture(fields, "color", context, color, scene::Rgb(1.0));
+    } else if (n && k) {
+        fields.raw("n", write_index(*n));
+        fields.raw("k", write_index(*k));
     }
+    add_texture(fields, "color", context, color, scene::Rgb(1.0));
     add_value(fields, "roughness", context, roughness, 0.0);
     add_value(fields, "anisotropy", context, anisotropy, 0.0);
+    write_facets(fields, facets);
 }
 
 void write_model(Fields& fields, WriteContext& context, const scene::DielectricMaterial& model) {
-    const auto& [refraction, color, roughness, anisotropy, absorption, thin] = model;
+    const auto& [refraction, color, roughness, anisotropy, absorption, thin, facets] = model;
     fields.text("type", "dielectric");
     fields.raw("refraction", write_refraction(refraction));
     add_texture(fields, "color", context, color, scene::Rgb(1.0));
@@ -55,15 +78,17 @@ void write_model(Fields& fields, WriteContext& context, const scene::DielectricM
     add_value(fields, "anisotropy", context, anisotropy, 0.0);
     add_color(fields, "absorption", absorption, black);
     fields.flag("thin", thin, false);
+    write_facets(fields, facets);
 }
 
 void write_model(Fields& fields, WriteContext& context, const scene::PlasticMaterial& model) {
-    const auto& [color, refraction, roughness, saturates] = model;
+    const auto& [color, refraction, roughness, saturates, facets] = model;
     fields.text("type", "plastic");
     add_texture(fields, "color", context, color, scene::Rgb(0.8));
     fields.number("refraction", refraction, 1.5);
     add_value(fields, "roughness", context, roughness, 0.0);
     fields.flag("saturates", saturates, true);
+    write_facets(fields, facets);
 }
 
 void write_model(Fields& fields, WriteContext& context, const scene::PrincipledMaterial& model) {
@@ -85,6 +110,26 @@ void write_model(Fields& fields, WriteContext& context, const scene::PrincipledM
     add_value(fields, "sheen_roughness", context, sheen_roughness, 0.3);
     add_value(fields, "film", context, film, 0.0);
     fields.number("film_refraction", film_refraction, 1.3);
+}
+
+void write_model(Fields& fields, WriteContext& context, const scene::BurleyMaterial& model) {
+    const auto& [color, roughness, anisotropy, refraction, specular_tint, metalness, transmission, flatness, sheen, sheen_tint, coat,
+                 coat_gloss, thin, passes] = model;
+    fields.text("type", "burley");
+    add_texture(fields, "color", context, color, scene::Rgb(0.5));
+    add_value(fields, "roughness", context, roughness, 0.5);
+    add_value(fields, "anisotropy", context, anisotropy, 0.0);
+    fields.number("refraction", refraction, 1.5);
+    fields.number("specular_tint", specular_tint, 0.0);
+    add_value(fields, "metalness", context, metalness, 0.0);
+    add_value(fields, "transmission", context, transmission, 0.0);
+    fields.number("flatness", flatness, 0.0);
+    add_value(fields, "sheen", context, sheen, 0.0);
+    fields.number("sheen_tint", sheen_tint, 0.0);
+    add_value(fields, "coat", context, coat, 0.0);
+    fields.number("coat_gloss", coat_gloss, 0.0);
+    fields.flag("thin", thin, false);
+    add_value(fields, "passes", context, passes, 0.0);
 }
 
 void write_model(Fields& fields, WriteContext& context, const scene::MixMaterial& model) {

@@ -139,13 +139,17 @@ std::string write_light(const scene::Light& light) {
 }
 
 std::string write_background(WriteContext& context, const scene::Background& background) {
-    const auto& [zenith, horizon, nadir, image, rotation, strength, visible] = background;
+    const auto& [zenith, horizon, nadir, image, rotation, axes, strength, visible] = background;
     Fields fields;
     if (image) {
-        // Of a picture all around, no more than these two matter.
+        // Of a picture all around, no more than these three matter.
         fields.text("image", write_picture(context, *image));
         fields.text("encoding", image->linear ? "linear" : "srgb", "srgb");
+        fields.vector("tint", image->tint, scene::Rgb(1.0));
         fields.number("rotation", rotation, 0.0);
+        if (axes != glm::dmat3(1.0)) {
+            fields.raw("axes", fmt::format("[{}, {}, {}]", list_text(axes[0]), list_text(axes[1]), list_text(axes[2])));
+        }
     } else if (zenith == horizon && nadir == horizon) {
         fields.raw("color", write_color(horizon));
     } else {

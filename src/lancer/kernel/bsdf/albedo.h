@@ -2,7 +2,8 @@
 // by smooth lobes [Kulla and Conty 2017].
 //
 // The table (world.albedo, made by world/generator/make_albedo_table.cpp) has nodes at even steps of the root of the cosine, of the root of
-// the roughness alpha, and of the root of (eta - 1) / (eta + 1). Its parts, each for GGX and then for Beckmann:
+// the roughness alpha, and of the root of (eta - 1) / (eta + 1). Its parts, each for GGX and then for Beckmann, and both again for facets that hide one
+// another towards either direction by itself:
 //   mirror   1 - albedo of facets that reflect everything
 //   coat     albedo of what a clear border reflects, seen from outside
 //   border   1 - albedo of what it reflects and lets through, from the side of lower index and then from the other
@@ -23,9 +24,10 @@ const int ALBEDO_SHEET = ALBEDO_COSINES * ALBEDO_ROUGHNESSES;
 
 // Sheets of all cosines and roughnesses, counted from the start.
 const int ALBEDO_MIRROR = 0;
-const int ALBEDO_COAT = 2;
-const int ALBEDO_BORDER = ALBEDO_COAT + 2 * ALBEDO_INDICES;
-const int ALBEDO_SHEEN = ALBEDO_BORDER + 4 * ALBEDO_INDICES;
+const int ALBEDO_DISTRIBUTIONS = 4;
+const int ALBEDO_COAT = ALBEDO_DISTRIBUTIONS;
+const int ALBEDO_BORDER = ALBEDO_COAT + ALBEDO_DISTRIBUTIONS * ALBEDO_INDICES;
+const int ALBEDO_SHEEN = ALBEDO_BORDER + 2 * ALBEDO_DISTRIBUTIONS * ALBEDO_INDICES;
 const int ALBEDO_SHEETS = ALBEDO_SHEEN + 1;
 const int ALBEDO_MEANS = ALBEDO_SHEETS * ALBEDO_SHEET;  // ALBEDO_ROUGHNESSES means for each sheet
 const int ALBEDO_VALUES = ALBEDO_MEANS + ALBEDO_SHEETS * ALBEDO_ROUGHNESSES;
@@ -66,27 +68,27 @@ struct AlbedoPlace {
     TablePlace rough;
 };
 
-FN Int distribution_of(Mask beckmann) { return select(beckmann, Int(1), Int(0)); }
+FN Int distribution_of(IN(Facets) f) { return select(f.beckmann, Int(1), Int(0)) + select(f.separate, Int(2), Int(0)); }
 
 FN TablePlace index_place(Float eta) {
     Float ratio = abs(eta - Float(1.0f)) / (eta + Float(1.0f));
     return place_in_table(sqrt(ratio * Float(1.0f / ALBEDO_LARGEST_RATIO)), ALBEDO_INDICES);
 }
 
-FN AlbedoPlace coat_place(Float eta, Float roughness, Mask beckmann) {
+FN AlbedoPlace coat_place(Float eta, Float roughness, IN(Facets) f) {
     TablePlace index = index_place(eta);
     AlbedoPlace place;
-    place.sheet = Int(ALBEDO_COAT) + distribution_of(beckmann) * Int(ALBEDO_INDICES) + index.entry;
+    place.sheet = Int(ALBEDO_COAT) + distribution_of(f) * Int(ALBEDO_INDICES) + index.entry;
     place.part = index.part;
     place.rough = place_in_table(sqrt(max(roughness, Float(0.0f))), ALBEDO_ROUGHNESSES);
     return place;
 }
 
-FN AlbedoPlace border_place(Float eta, Float roughness, Mask beckmann) {
+FN AlbedoPlace border_place(Float eta, Float roughness, IN(Facets) f) {
     TablePlace index = index_place(eta);
     Int side = select(eta < Float(1.0f), Int(1), Int(0));
     AlbedoPlace place;
-    place.sheet = Int(ALBEDO_BORDER) + (distribution_of(beckmann) * Int(2) + side) * Int(ALBEDO_INDICES) + index.entry;
+    place.sheet = Int(ALBEDO_BORDER) + (distribution_of(f) * Int(2) + side) * Int(ALBEDO_INDICES) + index.entry;
     place.part = index.part;
     place.rough = place_in_table(sqrt(max(roughness, Float(0.0f))), ALBEDO_ROUGHNESSES);
     return place;

@@ -2,6 +2,7 @@
 #ifndef LANCER_KERNEL_BSDF_BSDF_H
 #define LANCER_KERNEL_BSDF_BSDF_H
 
+#include "lancer/kernel/bsdf/burley.h"
 #include "lancer/kernel/bsdf/conductor.h"
 #include "lancer/kernel/bsdf/dielectric.h"
 #include "lancer/kernel/bsdf/diffuse.h"
@@ -22,7 +23,8 @@ FN Mask is_smooth(IN(Closure) c) {
 
 // Whether what goes through is bent by the border of two media: the path has to know which.
 FN Mask is_clear(IN(Closure) c) {
-    Mask principled = both(is_equal(c.kind, Int(BSDF_PRINCIPLED)), without(c.transmission > Float(0.0f), c.thin));
+    Mask layered = either(is_equal(c.kind, Int(BSDF_PRINCIPLED)), is_equal(c.kind, Int(BSDF_BURLEY)));
+    Mask principled = both(layered, without(c.transmission > Float(0.0f), c.thin));
     return either(is_equal(c.kind, Int(BSDF_DIELECTRIC)), principled);
 }
 
@@ -31,7 +33,9 @@ FN Mask is_opaque(IN(Closure) c) {
     Mask diffuse = either(is_equal(c.kind, Int(BSDF_DIFFUSE)), is_equal(c.kind, Int(BSDF_ROUGH_DIFFUSE)));
     Mask coated = either(is_equal(c.kind, Int(BSDF_CONDUCTOR)), is_equal(c.kind, Int(BSDF_PLASTIC)));
     Mask principled = without(is_equal(c.kind, Int(BSDF_PRINCIPLED)), c.transmission > Float(0.0f));
-    return either(either(diffuse, coated), principled);
+    Mask lets_through = either(c.transmission > Float(0.0f), both(c.thin, c.film_index > Float(0.0f)));
+    Mask burley = without(is_equal(c.kind, Int(BSDF_BURLEY)), lets_through);
+    return either(either(diffuse, coated), either(principled, burley));
 }
 
 // Whether what the surface sends back counts as diffuse, and not as glossy, where bounces are limited by kind.
@@ -39,7 +43,8 @@ FN Mask is_matt(IN(Closure) c) {
     Mask body =
         either(is_equal(c.kind, Int(BSDF_DIFFUSE)), either(is_equal(c.kind, Int(BSDF_ROUGH_DIFFUSE)), is_equal(c.kind, Int(BSDF_PLASTIC))));
     Float other = c.metalness + (Float(1.0f) - c.metalness) * c.transmission;
-    return either(body, both(is_equal(c.kind, Int(BSDF_PRINCIPLED)), other < Float(0.5f)));
+    Mask layered = either(is_equal(c.kind, Int(BSDF_PRINCIPLED)), is_equal(c.kind, Int(BSDF_BURLEY)));
+    return either(body, both(layered, other < Float(0.5f)));
 }
 
 // Value and density of a direction that was drawn elsewhere; smooth surfaces have none.
@@ -61,6 +66,8 @@ FN BsdfValue bsdf_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 wi, 
             value = select_value(mine, plastic_value(world, c, wo, wi, mine), value);
         } else if (kind == BSDF_PRINCIPLED) {
             value = select_value(mine, principled_value(world, c, wo, wi, mine), value);
+        } else if (kind == BSDF_BURLEY) {
+            value = select_value(mine, burley_value(c, wo, wi, mine), value);
         }
         todo = without(todo, mine);
     }
@@ -88,6 +95,8 @@ FN BsdfSample bsdf_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Float c
             drawn = select_sample(mine, plastic_sample(world, c, wo, choice, u, mine), drawn);
         } else if (kind == BSDF_PRINCIPLED) {
             drawn = select_sample(mine, principled_sample(world, c, wo, choice, u, mine), drawn);
+        } else if (kind == BSDF_BURLEY) {
+            drawn = select_sample(mine, burley_sample(c, wo, choice, u, mine), drawn);
         }
         todo = without(todo, mine);
     }

@@ -14,7 +14,7 @@ struct Closure {
     Spectrum color;       // reflectance or tint
     Spectrum index;       // conductors: n; others: index behind the surface over the one in front
     Spectrum extinction;  // conductors: k; plastic and principled: tint of what the surface reflects
-    Spectrum sheen;       // principled, as are all fields from `metalness` on: see MaterialRecord
+    Spectrum sheen;       // principled, as are all fields from `metalness` on: see MaterialRecord; of Burley's see there
     Float roughness_x;
     Float roughness_y;
     Float metalness;
@@ -27,6 +27,8 @@ struct Closure {
     Float film_index;
     Mask disperses;  // `index` differs from wavelength to wavelength: what is refracted goes on with the first only
     Mask beckmann;
+    Mask separate;  // facets hide one another towards either direction by itself
+    Mask once;      // light that meets several facets is lost
     Mask saturates;
     Mask thin;
 };
@@ -52,6 +54,8 @@ FN Closure no_closure() {
     c.film_index = Float(1.0f);
     c.disperses = nowhere();
     c.beckmann = nowhere();
+    c.separate = nowhere();
+    c.once = nowhere();
     c.saturates = nowhere();
     c.thin = nowhere();
     return c;
@@ -78,6 +82,8 @@ FN Closure select_closure(Mask mask, IN(Closure) a, IN(Closure) b) {
     c.film_index = select(mask, a.film_index, b.film_index);
     c.disperses = select_mask(mask, a.disperses, b.disperses);
     c.beckmann = select_mask(mask, a.beckmann, b.beckmann);
+    c.separate = select_mask(mask, a.separate, b.separate);
+    c.once = select_mask(mask, a.once, b.once);
     c.saturates = select_mask(mask, a.saturates, b.saturates);
     c.thin = select_mask(mask, a.thin, b.thin);
     return c;

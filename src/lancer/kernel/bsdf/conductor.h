@@ -9,16 +9,17 @@
 
 NAMESPACE_BEGIN
 
-// What facets that reflect everything lose towards a direction, to be given back by the second lobe; below, its mean over directions.
+// What facets that reflect everything lose towards a direction, where the second lobe gives it back; below, its mean over directions.
 FN Float facet_loss(IN(WorldRecord) world, IN(Facets) f, Vec3 w, Mask mask) {
     TablePlace rough = place_in_table(sqrt(sqrt(mean_square_roughness(f))), ALBEDO_ROUGHNESSES);
     TablePlace cosine = place_in_table(sqrt(cosine_of_round_facets(f, w)), ALBEDO_COSINES);
-    return albedo_of_sheet(world, Int(ALBEDO_MIRROR) + distribution_of(f.beckmann), rough, cosine, mask);
+    Float loss = albedo_of_sheet(world, Int(ALBEDO_MIRROR) + distribution_of(f), rough, cosine, mask);
+    return select(f.once, Float(0.0f), loss);
 }
 
 FN Float mean_facet_loss(IN(WorldRecord) world, IN(Facets) f, Mask mask) {
     TablePlace rough = place_in_table(sqrt(sqrt(mean_square_roughness(f))), ALBEDO_ROUGHNESSES);
-    return mean_of_sheet(world, Int(ALBEDO_MIRROR) + distribution_of(f.beckmann), rough, mask);
+    return mean_of_sheet(world, Int(ALBEDO_MIRROR) + distribution_of(f), rough, mask);
 }
 
 // The colour of light that has met several facets, of mean reflectance `once` each.

@@ -22,15 +22,16 @@ struct BorderLoss {
 
 FN BorderLoss border_loss(IN(WorldRecord) world, IN(Closure) c, Mask mask) {
     Float eta = c.index.x;
-    Float roughness = sqrt(mean_square_roughness(facets_of(c)));
+    Facets f = facets_of(c);
+    Float roughness = sqrt(mean_square_roughness(f));
     BorderLoss loss;
-    loss.front = border_place(eta, roughness, c.beckmann);
-    loss.behind = border_place(Float(1.0f) / eta, roughness, c.beckmann);
+    loss.front = border_place(eta, roughness, f);
+    loss.behind = border_place(Float(1.0f) / eta, roughness, f);
     loss.mean_front = max(mean_albedo(world, loss.front, mask), Float(1.0e-6f));
     loss.mean_behind = max(mean_albedo(world, loss.behind, mask), Float(1.0e-6f));
     // Of light from all directions a border lets as much through as comes back from the other side; there it fills a wider cone.
     Float denser = max(eta, Float(1.0f) / eta);
-    Float passes = Float(1.0f) - mean_albedo(world, coat_place(denser, Float(0.0f), c.beckmann), mask);
+    Float passes = Float(1.0f) - mean_albedo(world, coat_place(denser, Float(0.0f), f), mask);
     passes = select(eta < Float(1.0f), passes * eta * eta, passes);
     loss.through = passes * min(Float(1.0f), loss.mean_behind / loss.mean_front);
     return loss;
@@ -72,7 +73,7 @@ FN BsdfValue dielectric_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec
         AlbedoPlace beyond = loss.behind;
         beyond.sheet = select(reflects, loss.front.sheet, beyond.sheet);
         beyond.part = select(reflects, loss.front.part, beyond.part);
-        Float lost_out = albedo_at(world, loss.front, cosine_of_round_facets(f, wo), rough);
+        Float lost_out = select(c.once, Float(0.0f), albedo_at(world, loss.front, cosine_of_round_facets(f, wo), rough));
         Float lost_in =
             albedo_at(world, beyond, cosine_of_round_facets(f, wi), rough) / select(reflects, loss.mean_front, loss.mean_behind);
         Float side = abs(wi.z) * Float(1.0f / PI) * select(reflects, Float(1.0f) - loss.through, loss.through);
@@ -100,6 +101,7 @@ FN BsdfSample dielectric_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, F
         m = select(rough, facets_visible_normal(facets_of(c), wo, u), m);
         loss = border_loss(world, c, rough);
         Float lost = albedo_at(world, loss.front, cosine_of_round_facets(facets_of(c), wo), rough);
+        lost = select(c.once, Float(0.0f), lost);
         several = both(rough, choice < lost);
         rest = select(
             rough, select(several, choice / max(lost, Float(SMALLEST)), (choice - lost) / max(Float(1.0f) - lost, Float(SMALLEST))), rest);

@@ -14,6 +14,8 @@ struct Facets {
     Float x;  // root mean square slopes times sqrt(2), of Beckmann's; of GGX the width alike
     Float y;
     Mask beckmann;
+    Mask separate;
+    Mask once;
 };
 
 // Whether the surface is one of facets; else it is smooth.
@@ -24,6 +26,8 @@ FN Facets facets_of(IN(Closure) c) {
     f.x = max(c.roughness_x, Float(SMOOTH));
     f.y = max(c.roughness_y, Float(SMOOTH));
     f.beckmann = c.beckmann;
+    f.separate = c.separate;
+    f.once = c.once;
     return f;
 }
 
@@ -32,6 +36,8 @@ FN Facets ggx_facets(Float roughness) {
     f.x = max(roughness, Float(SMOOTH));
     f.y = f.x;
     f.beckmann = nowhere();
+    f.separate = f.beckmann;
+    f.once = f.beckmann;
     return f;
 }
 
@@ -67,9 +73,12 @@ FN Float facets_lambda(IN(Facets) f, Vec3 w) {
 
 FN Float facets_seen(IN(Facets) f, Vec3 w) { return Float(1.0f) / (Float(1.0f) + facets_lambda(f, w)); }
 
-// Both directions at once, with heights correlated; wi may be on the other side.
+// Both directions at once; wi may be on the other side. With heights correlated, or as if the two had nothing to do with each other
+// [Walter et al. 2007, eq. 23].
 FN Float facets_seen_both(IN(Facets) f, Vec3 wo, Vec3 wi) {
-    return Float(1.0f) / (Float(1.0f) + facets_lambda(f, wo) + facets_lambda(f, wi));
+    Float a = facets_lambda(f, wo);
+    Float b = facets_lambda(f, wi);
+    return Float(1.0f) / (Float(1.0f) + a + b + select(f.separate, a * b, Float(0.0f)));
 }
 
 // A slope along the line of sight among those that Beckmann's surface of roughness 1 shows to a direction of slope `a` = cot of its angle: the root

@@ -1,5 +1,6 @@
 // Plastic: a diffuse body under a clear border, smooth or of facets. What the border does not reflect, and light that several facets have met,
-// goes into the body and comes out again: nothing is lost, and both ways are the same [Kulla and Conty 2017].
+// goes into the body and comes out again: nothing is lost, and both ways are the same [Kulla and Conty 2017]. Or what several facets have met is
+// lost: then only what one facet lets through reaches the body, and leaves it.
 #ifndef LANCER_KERNEL_BSDF_PLASTIC_H
 #define LANCER_KERNEL_BSDF_PLASTIC_H
 
@@ -17,15 +18,13 @@ struct Coat {
     AlbedoPlace place;
 };
 
-FN Coat coat_of(Float eta, Float roughness_x, Float roughness_y, Mask beckmann) {
+FN Coat coat_of(Float eta, IN(Facets) facets, Mask rough) {
     Coat coat;
-    coat.facets.x = max(roughness_x, Float(SMOOTH));
-    coat.facets.y = max(roughness_y, Float(SMOOTH));
-    coat.facets.beckmann = beckmann;
-    coat.rough = max(roughness_x, roughness_y) >= Float(SMOOTH);
+    coat.facets = facets;
+    coat.rough = rough;
     coat.eta = max(eta, Float(1.0f) / eta);
     Float roughness = select(coat.rough, sqrt(mean_square_roughness(coat.facets)), Float(0.0f));
-    coat.place = coat_place(coat.eta, roughness, beckmann);
+    coat.place = coat_place(coat.eta, roughness, facets);
     return coat;
 }
 
@@ -78,19 +77,32 @@ FN BsdfValue plastic_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 w
     BsdfValue v = no_value();
     Mask good = both(mask, both(wo.z > Float(0.0f), wi.z > Float(0.0f)));
     if (some(good)) {
-        Coat coat = coat_of(c.index.x, c.roughness_x, c.roughness_y, c.beckmann);
+        Coat coat = coat_of(c.index.x, facets_of(c), is_rough(c));
         Float reflected_out = coat_albedo(world, coat, wo, good);
         Float reflected_in = coat_albedo(world, coat, wi, good);
         Float passes = Float(1.0f) - mean_albedo(world, coat.place, good);
         Spectrum body = c.color / passes;
+        Float passed_out = Float(1.0f) - reflected_out;
+        Float passed_in = Float(1.0f) - reflected_in;
+        // Of light within, all but this is sent back by the border each time that it comes there.
+        Float leaves = passes / (coat.eta * coat.eta);
+        if (some(c.once)) {
+            Float roughness = select(coat.rough, sqrt(mean_square_roughness(coat.facets)), Float(0.0f));
+            AlbedoPlace front = border_place(coat.eta, roughness, coat.facets);
+            AlbedoPlace behind = border_place(Float(1.0f) / coat.eta, roughness, coat.facets);
+            passed_out = passed_out - select(c.once, albedo_at(world, front, cosine_of_round_facets(coat.facets, wo), good), Float(0.0f));
+            passed_in = passed_in - select(c.once, albedo_at(world, front, cosine_of_round_facets(coat.facets, wi), good), Float(0.0f));
+            // Light goes through the border as easily either way; what stays within is mirrored, and not lost.
+            Float through = (passes - mean_albedo(world, front, good)) / (coat.eta * coat.eta);
+            leaves = select(c.once, through + mean_albedo(world, behind, good), leaves);
+            body = select(c.once, c.color / (coat.eta * coat.eta * leaves), body);
+        }
         if (some(c.saturates)) {
-            // Of light within, all but `leaves` is sent back by the border each time that it comes there.
-            Float leaves = passes / (coat.eta * coat.eta);
             Spectrum several = c.color / (coat.eta * coat.eta) / (vec4_all(Float(1.0f)) - c.color * (Float(1.0f) - leaves));
             body = select(c.saturates, several, body);
         }
         Float diffuse = wi.z * Float(1.0f / PI);
-        Spectrum passed = vec4_all((Float(1.0f) - reflected_out) * (Float(1.0f) - reflected_in));
+        Spectrum passed = vec4_all(passed_out * passed_in);
         Mask film = has_film(c);
         if (some(film)) {
             // The table knows no films: as other layers do, it takes what it reflects of either direction, whichever is more.
@@ -116,7 +128,7 @@ FN BsdfValue plastic_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 w
 FN BsdfSample plastic_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Float choice, Vec2 u, Mask mask) {
     BsdfSample s = no_sample();
     Mask good = both(mask, wo.z > Float(0.0f));
-    Coat coat = coat_of(c.index.x, c.roughness_x, c.roughness_y, c.beckmann);
+    Coat coat = coat_of(c.index.x, facets_of(c), is_rough(c));
     Float reflected = coat_albedo(world, coat, wo, good);
     Float chance = plastic_chance(c, reflected);
     Mask border = choice < chance;

@@ -136,7 +136,7 @@ struct PrincipledParts {
 
 FN PrincipledParts principled_parts(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Mask mask) {
     PrincipledParts p;
-    p.coat = coat_of(c.coat_index, c.coat_roughness, c.coat_roughness, nowhere());
+    p.coat = coat_of(c.coat_index, ggx_facets(c.coat_roughness), c.coat_roughness >= Float(SMOOTH));
     p.outside = either(c.index.x >= Float(1.0f), c.thin);
     p.sheen_out = Float(0.0f);
     p.coat_out = Float(0.0f);

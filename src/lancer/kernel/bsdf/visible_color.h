@@ -18,13 +18,14 @@ FN Spectrum visible_color(IN(Closure) c, Float cosine) {
     if (some(metal)) {
         color = select(metal, c.color * fresnel_conductor_spectrum(cosine, c.index, c.extinction), color);
     }
-    Mask principled = is_equal(c.kind, Int(BSDF_PRINCIPLED));
+    Mask principled = either(is_equal(c.kind, Int(BSDF_PRINCIPLED)), is_equal(c.kind, Int(BSDF_BURLEY)));
     Mask coated = either(principled, is_equal(c.kind, Int(BSDF_PLASTIC)));
     if (some(coated)) {
         Float off = Float(1.0f) - clamp01(cosine);
         Float grazing = off * off * off * off * off;
         Float cos_t = Float(0.0f);
-        Spectrum plastic = between_colors(c.color, c.extinction, fresnel(cosine, c.index.x, cos_t));
+        Spectrum border = select(is_equal(c.kind, Int(BSDF_BURLEY)), vec4_all(Float(1.0f)), c.extinction);
+        Spectrum plastic = between_colors(c.color, border, fresnel(cosine, c.index.x, cos_t));
         Spectrum shiny = between_colors(c.color, vec4_all(Float(1.0f)), grazing);
         Spectrum base = between_colors(between_colors(plastic, c.color, c.transmission), shiny, c.metalness);
         Float coat = c.coat * fresnel(cosine, c.coat_index, cos_t);

@@ -1,7 +1,7 @@
 // The surroundings: a gradient, or a latitude-longitude image that is drawn from by its brightness.
 //
 // The image's middle column lies along -z, where a camera looks that is not turned, its right half towards +x; its top is +y. Turned by an
-// angle, it moves counter-clockwise as seen from above.
+// angle, it moves counter-clockwise as seen from above. It may be tilted besides.
 #ifndef LANCER_KERNEL_EMITTER_SKY_H
 #define LANCER_KERNEL_EMITTER_SKY_H
 
@@ -13,9 +13,13 @@ NAMESPACE_BEGIN
 
 // Where a direction lies in the image: x from the left, 0 to 1, y from the top.
 FN Vec2 sky_place(IN(SkyRecord) sky, Vec3 direction) {
-    Float x = fraction(angle_of(direction.x, -direction.z) * Float(0.5f / PI) + Float(sky.turn) + Float(0.5f));
-    Float ring = sqrt(max(direction.x * direction.x + direction.z * direction.z, Float(0.0f)));
-    return vec2_of(x, Float(0.5f) - angle_of(direction.y, ring) * Float(1.0f / PI));
+    Vec3 d = direction;
+    if (sky.tilted != 0) {
+        d = vec3_of(dot(direction, broadcast(sky.x_axis)), dot(direction, broadcast(sky.y_axis)), dot(direction, broadcast(sky.z_axis)));
+    }
+    Float x = fraction(angle_of(d.x, -d.z) * Float(0.5f / PI) + Float(sky.turn) + Float(0.5f));
+    Float ring = sqrt(max(d.x * d.x + d.z * d.z, Float(0.0f)));
+    return vec2_of(x, Float(0.5f) - angle_of(d.y, ring) * Float(1.0f / PI));
 }
 
 FN Vec3 sky_texel(IN(WorldRecord) world, Float x, Float y, Mask mask) {
@@ -29,7 +33,7 @@ FN Vec3 sky_texel(IN(WorldRecord) world, Float x, Float y, Mask mask) {
 FN Vec3 sky_color(IN(WorldRecord) world, Vec3 direction, Mask mask) {
     Vec2 place = sky_place(world.sky, direction);
     Float x = place.x * Float(float(world.sky.width)) - Float(0.5f);
-    Float y = place.y * Float(float(world.sky.height)) - Float(0.5f);
+    Float y = (place.y * Float(world.sky.stretch) + Float(world.sky.shift)) * Float(float(world.sky.height)) - Float(0.5f);
     Float left = floor(x);
     Float top = floor(y);
     Float one = Float(1.0f);
@@ -101,6 +105,10 @@ FN SkySample sky_sample(IN(WorldRecord) world, Vec2 u, Mask mask) {
         Float x = (to_float(column) + along) * Float(1.0f / float(world.sky.width));
         Vec2 around = on_circle(fraction(x - Float(world.sky.turn) + Float(0.5f)));
         s.direction = vec3_of(around.y * sine, cosine, -around.x * sine);
+        if (world.sky.tilted != 0) {
+            s.direction = broadcast(world.sky.x_axis) * s.direction.x + broadcast(world.sky.y_axis) * s.direction.y +
+                          broadcast(world.sky.z_axis) * s.direction.z;
+        }
         s.density = texel_density(world, row, column, mask);
     } else {
         s.direction = on_sphere(u);

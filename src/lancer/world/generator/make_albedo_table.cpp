@@ -28,7 +28,7 @@ public:
             for (int cosine = 0; cosine < ALBEDO_COSINES; ++cosine) {
                 const double t = static_cast<double>(cosine) / (ALBEDO_COSINES - 1);
                 const double mu = cosine == 0 ? 1e-4 : t * t;
-                for (int distribution = 0; distribution < 2; ++distribution) {
+                for (int distribution = 0; distribution < ALBEDO_DISTRIBUTIONS; ++distribution) {
                     add_facets(distribution, rough, cosine, mu);
                 }
                 value(ALBEDO_SHEEN, rough, cosine) = sheen(static_cast<double>(rough) / (ALBEDO_ROUGHNESSES - 1), mu);
@@ -74,7 +74,9 @@ private:
         const double root = static_cast<double>(rough) / (ALBEDO_ROUGHNESSES - 1);
         Facets f;
         f.x = f.y = rough == 0 ? 1e-6 : root * root;
-        f.beckmann = distribution == 1;
+        f.beckmann = distribution % 2 == 1;
+        f.separate = distribution >= 2;
+        f.once = false;
         const Vec3 wo = vec3_of(std::sqrt(1.0 - mu * mu), 0.0, mu);
         const double lambda = facets_lambda(f, wo);
 
@@ -92,7 +94,7 @@ private:
             if (o <= 0.0) {
                 continue;
             }
-            const auto seen = [&](const Vec3& wi) { return (1.0 + lambda) / (1.0 + lambda + facets_lambda(f, wi)); };
+            const auto seen = [&](const Vec3& wi) { return facets_seen_both(f, wo, wi) * (1.0 + lambda); };
             const Vec3 mirrored = m * (2.0 * o) - wo;
             const double reflected = mirrored.z > 0.0 ? (rough == 0 ? 1.0 : seen(mirrored)) : 0.0;
             mirror += weight * reflected;
