@@ -219,6 +219,30 @@ TEST(Path, DispersiveGlassInAFurnaceIsInvisible) {
     EXPECT_LT(e.error.y, 0.01);
 }
 
+// A principled body that is all clear follows the same paths as glass, and gives up its other wavelengths where glass does.
+TEST(Path, APrincipledBodyPartsTheColoursLikeGlass) {
+    const auto seen_through = [](const auto& model) {
+        Physical world(32);
+        world.scene.settings.rgb = false;
+        scene::Material material;
+        material.model = model;
+        world.add(scene::Sphere{{0.0, 0.0, 0.0}, 1.0}, world.material(material));
+        world.set_background(2.0, 0.5, 0.1);
+        world.scene.cameras[0].fov = 20.0;
+        return world.estimate(4096);
+    };
+    const Estimate glass = seen_through(scene::DielectricMaterial{.refraction = scene::AbbeGlass{1.7, 20.0}});
+    const Estimate body = seen_through(
+        scene::PrincipledMaterial{.color = scene::Rgb(1.0), .roughness = 0.0, .refraction = 1.7, .transmission = 1.0, .dispersion = 1.0});
+    const Estimate plain =
+        seen_through(scene::PrincipledMaterial{.color = scene::Rgb(1.0), .roughness = 0.0, .refraction = 1.7, .transmission = 1.0});
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(body.mean[c], glass.mean[c], 1e-3 * glass.mean[c]) << "channel " << c;
+        EXPECT_NEAR(body.error[c], glass.error[c], 0.05 * glass.error[c]) << "channel " << c;
+        EXPECT_GT(body.error[c], 1.5 * plain.error[c]) << "channel " << c;
+    }
+}
+
 TEST(Path, AbsorptionFollowsBeer) {
     Physical world(8);
     scene::Material body;

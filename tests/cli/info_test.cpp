@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
             "scene.toml:6:1: warning: the faces of \"tetra\" point inwards"},
         Odd{"open_is_fine_when_opaque", tetrahedron("[[0,2,1],[0,1,3]]", "whitted"), ""},
         Odd{"open_glass", tetrahedron("[[0,2,1],[0,1,3]]", "whitted\", transparency = 0.9, refraction = \"N-BK7"),
-            "\"tetra\" is a body of glass with holes"},
+            "\"tetra\" is a clear body with holes"},
         Odd{"camera_inside", view + "[[box]]\nmin = [-1, -1, 8]\nmax = [1, 1, 10]\n",
             "scene.toml:1:1: warning: camera without a name is inside"},
         Odd{"camera_in_a_lit_room", view + "[[box]]\nmin = [-10, -10, -10]\nmax = [10, 10, 10]\n", ""},

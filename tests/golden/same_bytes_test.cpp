@@ -15,7 +15,7 @@
 namespace lancer {
 namespace {
 
-std::shared_ptr<const World> load(const std::string& name, int width, int height) {
+std::shared_ptr<const World> load(const std::string& name, int width, int height, const std::string& integrator = "auto") {
     Diagnostics diagnostics;
     std::optional<scene::Scene> scene = import_scene(LANCER_SOURCE_FOLDER "/scenes/" + name, diagnostics);
     if (!scene) {
@@ -24,6 +24,9 @@ std::shared_ptr<const World> load(const std::string& name, int width, int height
     }
     scene->settings.width = width;
     scene->settings.height = height;
+    if (integrator != "auto") {
+        scene->settings.integrator = integrator;
+    }
     return compile_world(*scene, scene->cameras.front(), diagnostics);
 }
 
@@ -38,6 +41,7 @@ struct Case {
     bool adaptive = false;
     Tracer tracer = Tracer::automatic;
     int spp = 0;  // path integrator
+    std::string integrator = "auto";
 };
 
 class SameBytes : public testing::TestWithParam<Case> {
@@ -47,7 +51,7 @@ protected:
     static constexpr int height = 83;
 
     void SetUp() override {
-        world_ = load(GetParam().scene, width, height);
+        world_ = load(GetParam().scene, width, height, GetParam().integrator);
         ASSERT_NE(world_, nullptr);
         options_.width = width;
         options_.height = height;
@@ -114,7 +118,13 @@ INSTANTIATE_TEST_SUITE_P(Golden, SameBytes,
                                          Case{"Figure1InTheTree", "report/figure-1.toml", false, Tracer::tree},
                                          Case{"Lights", "report/lights.toml"}, Case{"Benchmark", "benchmark/whitted.toml", true},
                                          Case{"Paths", "gallery/cornell-box.toml", false, Tracer::automatic, 7},
-                                         Case{"PathsInTheTree", "features/principled.toml", false, Tracer::tree, 4}),
+                                         Case{"PathsInTheTree", "features/principled.toml", false, Tracer::tree, 4},
+                                         Case{"Light", "gallery/cornell-box.toml", false, Tracer::automatic, 3, "light"},
+                                         Case{"BothEnds", "gallery/cornell-box.toml", false, Tracer::automatic, 3, "bdpt"},
+                                         Case{"BothEndsInTheTree", "features/principled.toml", false, Tracer::tree, 2, "bdpt"},
+                                         Case{"Photons", "gallery/cornell-box.toml", false, Tracer::automatic, 2, "vcm"},
+                                         Case{"Fog", "features/fog-balls.toml", false, Tracer::automatic, 2},
+                                         Case{"CloudInTheTree", "features/fog-cloud.toml", false, Tracer::tree, 1}),
                          [](const auto& one) { return one.param.name; });
 
 TEST(SameBytes, BothTracersGiveTheSamePicture) {

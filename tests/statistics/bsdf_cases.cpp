@@ -256,19 +256,20 @@ std::vector<BsdfCase> white_cases() {
         cases.push_back(opaque(fmt::format("conductor of Beckmann's {}", alpha), beckmann(conductor(white, alpha, alpha, true))));
         for (const float eta : {1.1f, 1.5f, 2.4f, 1.0f / 1.1f, 1.0f / 1.5f, 1.0f / 2.4f}) {
             cases.push_back(dielectric("dielectric", white, eta, alpha, alpha));
-            if (eta < 1.0f && eta > 0.8f) {
-                cases.back().furnace =
-                    0.02;  // from within a body that hardly bends light all but the slanted rays go through: the table is coarse there
+            if (eta < 1.0f) {
+                cases.back().furnace = 0.0085;  // from within, between the nodes of the table, of Beckmann's facets
             }
             cases.push_back(beckmann(cases.back()));
         }
     }
-    for (const auto& [x, y] : {std::pair{0.1f, 0.2f}, {0.3f, 0.6f}, {0.1f, 0.8f}}) {
-        // Only roughly: the table knows round facets.
+    for (const auto& [x, y] : {std::pair{0.1f, 0.2f}, {0.6f, 0.3f}, {0.1f, 0.8f}, {1.0f, 0.12f}}) {
         cases.push_back(opaque(fmt::format("conductor {} {}", x, y), conductor(white, x, y, true)));
-        cases.back().furnace = 0.025;
-        cases.push_back(dielectric("dielectric", white, 1.5f, x, y));
-        cases.back().furnace = 0.055;
+        cases.push_back(beckmann(cases.back()));
+        cases.back().furnace = 0.0065;  // between the nodes of the table
+        for (const float eta : {1.5f, 1.0f / 1.5f}) {
+            cases.push_back(dielectric("dielectric", white, eta, x, y));
+            cases.back().furnace = eta > 1.0f ? 0.02 : 0.03;  // the table of stretched borders is coarse
+        }
     }
     BsdfCase thin = opaque("thin dielectric", closure_of(BSDF_THIN_DIELECTRIC, white));
     thin.closure.index = vec4_all(1.5f);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -153,13 +154,30 @@ TEST(Camera, DrawsFilmAndLens) {
     }
 }
 
+// A filter that is missing here is an error of the compiler.
+std::optional<scene::PixelFilter> filter_after(scene::PixelFilter filter) {
+    switch (filter) {
+        case scene::PixelFilter::box:
+            return scene::PixelFilter::tent;
+        case scene::PixelFilter::tent:
+            return scene::PixelFilter::gaussian;
+        case scene::PixelFilter::gaussian:
+            return scene::PixelFilter::mitchell;
+        case scene::PixelFilter::mitchell:
+            return scene::PixelFilter::blackman_harris;
+        case scene::PixelFilter::blackman_harris:
+            break;
+    }
+    return std::nullopt;
+}
+
 // A filter that is negative somewhere is drawn by its size there.
 TEST(Camera, DrawsEveryFilter) {
     std::mt19937 numbers(12);
     std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
     constexpr int draws = 100000, cells = 40, steps = 40000;
-    for (const auto filter : {scene::PixelFilter::box, scene::PixelFilter::tent, scene::PixelFilter::gaussian, scene::PixelFilter::mitchell,
-                              scene::PixelFilter::blackman_harris}) {
+    for (std::optional<scene::PixelFilter> next = scene::PixelFilter::box; next; next = filter_after(*next)) {
+        const scene::PixelFilter filter = *next;
         const auto world = seen_by({}, filter);
         ASSERT_TRUE(world);
         const WorldRecord record = world->record();

@@ -1,6 +1,7 @@
 // Sample points: uniform, evenly spread over powers of two, and independent from decision to decision.
 #include "lancer/kernel/sampler.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -52,6 +53,40 @@ TEST(Sampler, IsEvenlySpreadOverPowersOfTwo) {
                     }
                 }
             }
+        }
+    }
+}
+
+TEST(Sampler, QuarteredNumbersAreUniform) {
+    std::vector<double> counts(64);
+    constexpr int pixels = 100000;
+    for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
+        const float u = quartered_number(start_sampler(scramble(pixel), 5), 5, 2);
+        ASSERT_TRUE(u >= 0.0f && u < 1.0f);
+        counts[static_cast<std::size_t>(u * 64.0f)] += 1.0;
+    }
+    const Verdict verdict = compare_counts(counts, std::vector<double>(counts.size(), pixels / 64.0));
+    EXPECT_TRUE(verdict.right()) << verdict.words();
+}
+
+// With those a quarter, a half and three quarters away they are evenly spaced; and the first ones alone fall into all sixteenths.
+TEST(Sampler, QuarteredNumbersFormALattice) {
+    for (const std::uint32_t key : {1u, 77u, 0xdeadbeefu}) {
+        for (const std::uint32_t count : {1u, 4u, 16u, 64u}) {
+            std::vector<double> all;
+            std::set<int> shares;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const double u = double(quartered_number(start_sampler(key, i), i, 2));
+                shares.insert(static_cast<int>(u * std::min(count, 16u)));
+                for (const double turn : {0.0, 0.25, 0.5, 0.75}) {
+                    all.push_back(std::fmod(u + turn, 1.0));
+                }
+            }
+            std::sort(all.begin(), all.end());
+            for (std::size_t i = 1; i < all.size(); ++i) {
+                ASSERT_NEAR(all[i] - all[i - 1], 0.25 / count, 2e-7) << key << " " << count;
+            }
+            EXPECT_EQ(shares.size(), std::min(count, 16u)) << key << " " << count;
         }
     }
 }

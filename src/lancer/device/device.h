@@ -69,9 +69,13 @@ public:
     // `samples` have range.paths() entries, or none. Pure and called from many threads, as above.
     virtual void trace_paths(const PathRange& range, const PathSamples& samples, RayCounts& counts) const = 0;
 
+    // Whether the world's integrator follows light from the lamps, too: then `samples` should have a place for splats, and of what else it may ask for
+    // only radiance is filled. A pixel of the picture is the mean of its samples plus its splats over the number of samples that each pixel has.
+    virtual bool makes_splats() const { return false; }
+
     // Their radiance alone.
     void follow_paths(const PathRange& range, std::span<glm::vec3> radiance, RayCounts& counts) const {
-        trace_paths(range, {radiance, {}, {}, {}}, counts);
+        trace_paths(range, {radiance, {}, {}, {}, nullptr}, counts);
     }
 
     // Follows a sample again whose radiance was NaN, to see where that came from.

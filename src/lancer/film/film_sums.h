@@ -1,15 +1,18 @@
 // What a picture of the path integrator rests on: sums over the samples of each pixel, and how many there were.
 //
-// A pixel's sums grow by whole ranges of samples in the order in which these are added: whoever adds them in the same order has the same bits.
+// A pixel's sums grow sample by sample in the order in which these are added: whoever adds them in the same order has the same bits, however
+// the samples were cut into ranges.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "lancer/film/bytes.h"
 #include "lancer/film/path_samples.h"
 
 namespace lancer {
@@ -21,8 +24,10 @@ struct FilmLayers {
     bool surface = false;  // what is seen first: albedo, normal, depth, position, uv
     bool ids = false;      // of objects and materials
     int spectral_bins = 0;
+    bool splats = false;  // light that falls anywhere
 
     bool first_hits() const { return surface || ids; }
+    bool operator==(const FilmLayers&) const = default;
 };
 
 struct SurfaceSums {
@@ -49,7 +54,9 @@ public:
     void add(std::size_t pixel, const PathSamples& samples);
 
     std::uint32_t count(std::size_t pixel) const { return counts_[pixel]; }  // of the samples in the sums
-    glm::vec3 mean(std::size_t pixel) const;                                 // 0 where there is none
+    // Splats included; these may come from anywhere, so that a pixel is finished when all are. 0 where there is none.
+    glm::vec3 mean(std::size_t pixel) const;
+    SplatSums* splats() const { return splats_.get(); }  // null where the layers have none
 
     // Of the mean, by colour: the spread of the samples over their count. Unbiased for independent samples; evenly spread ones, as Owen-scrambled
     // Sobol points are, do better than it says [Owen 1997]. Infinite where there are fewer than two samples.
@@ -63,7 +70,13 @@ public:
     // Mean spectral radiance over the bin, per nanometre. Bins split the visible, 360 to 830 nm, evenly.
     float spectral(std::size_t pixel, int bin) const;
 
+    // The sums of so many pixels in a row, bit for bit.
+    void save(std::size_t first, std::size_t count, ByteWriter& bytes) const;
+    void load(std::size_t first, std::size_t count, ByteReader& bytes);
+
 private:
+    template <class Sums, class Visit>
+    static void visit_planes(Sums& sums, const Visit& visit);
     void add_bins(std::size_t pixel, const SpectralSample& sample);
 
     int width_;
@@ -76,6 +89,7 @@ private:
     std::vector<SurfaceSums> surfaces_;
     std::vector<IdCounts> objects_;
     std::vector<IdCounts> materials_;
+    std::unique_ptr<SplatSums> splats_;
     std::vector<double> bins_;  // spectral_bins for each pixel
 };
 

@@ -3,10 +3,13 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+
+#include "lancer/film/splats.h"
 
 namespace lancer {
 
@@ -35,10 +38,12 @@ struct PathSamples {
     std::span<glm::vec3> direct;  // the part that was emitted towards the camera or scattered once
     std::span<FirstHit> first_hits;
     std::span<SpectralSample> spectra;
+    // Where light that falls anywhere on the film is appended. Who gives no place for it gets paths from the camera alone.
+    std::vector<Splat>* splats = nullptr;
 
     PathSamples part(std::size_t first, std::size_t count) const {
         const auto cut = [&](auto span) { return span.empty() ? span : span.subspan(first, count); };
-        return {cut(radiance), cut(direct), cut(first_hits), cut(spectra)};
+        return {cut(radiance), cut(direct), cut(first_hits), cut(spectra), splats};
     }
 };
 

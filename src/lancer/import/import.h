@@ -45,9 +45,9 @@ struct WrittenScene {
     };
 
     std::string toml;
-    std::string mesh_file;  // its name; empty when there is none
-    std::string meshes;     // its bytes
-    std::vector<Picture> pictures;
+    std::string mesh_file;          // its name; empty when there is none
+    std::string meshes;             // its bytes
+    std::vector<Picture> pictures;  // from within the scene; and grids of numbers
 };
 
 // Reading the result gives a scene that renders to the same picture. `path` is where the text will stand: other files are named as seen from

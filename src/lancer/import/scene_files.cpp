@@ -28,13 +28,18 @@ bool SceneFiles::is_allowed(const std::string& path, const SourcePosition& named
     return true;
 }
 
+void SceneFiles::add_to_hash(const std::string& path, std::string_view bytes) {
+    hashes_.push_back(hash_bytes(bytes));
+    inputs_.push_back({path, to_hexadecimal(hashes_.back())});
+}
+
 std::optional<FileBytes> SceneFiles::open(const std::string& path, const SourcePosition& named_at, std::size_t limit) {
     if (!is_allowed(path, named_at)) {
         return std::nullopt;
     }
     auto bytes = read_file(path, named_at, diagnostics_, limit);
     if (bytes) {
-        add_to_hash(bytes->view());
+        add_to_hash(path, bytes->view());
     }
     return bytes;
 }
@@ -131,6 +136,11 @@ bool SceneFiles::enter(const std::string& path, const SourcePosition& named_at) 
     }
     reading_.push_back(file);
     return true;
+}
+
+std::optional<VoxelFile> SceneFiles::voxels(const std::string& path, const VoxelWords& words, const SourcePosition& named_at) {
+    const auto bytes = open(path, named_at);
+    return bytes ? read_voxels(bytes->view(), path, words, named_at, diagnostics_) : std::nullopt;
 }
 
 std::string SceneFiles::hash() const {

@@ -12,6 +12,7 @@
 #include "lancer/base/file.h"
 #include "lancer/base/hash.h"
 #include "lancer/import/import.h"
+#include "lancer/import/volume/voxel_file.h"
 #include "lancer/scene/scene.h"
 #include "lancer/spectrum/curve.h"
 
@@ -30,7 +31,7 @@ public:
     // The same, where the scene makes sense without the file: then it is a warning that ends with `without`.
     std::optional<FileBytes> open_or_warn(const std::string& path, const SourcePosition& named_at, const std::string& without);
 
-    void add_to_hash(std::string_view bytes) { hashes_.push_back(hash_bytes(bytes)); }
+    void add_to_hash(const std::string& path, std::string_view bytes);
 
     // By the file's ending, .obj, .ply or .meshes; `part` is for the latter. Null when it can't be read; the diagnostics say why, once for each
     // file.
@@ -50,8 +51,12 @@ public:
     bool enter(const std::string& path, const SourcePosition& named_at);
     void leave() { reading_.pop_back(); }
 
+    // A grid of numbers, by the file's ending: .vdb, .vol or .raw. Nothing when it can't be read, as above.
+    std::optional<VoxelFile> voxels(const std::string& path, const VoxelWords& words, const SourcePosition& named_at);
+
     // Of everything so far, in the order of reading; hexadecimal.
     std::string hash() const;
+    const std::vector<scene::InputFile>& inputs() const { return inputs_; }
 
 private:
     bool is_allowed(const std::string& path, const SourcePosition& named_at);
@@ -60,6 +65,7 @@ private:
     ImportOptions options_;
     Diagnostics& diagnostics_;
     std::vector<Hash> hashes_;
+    std::vector<scene::InputFile> inputs_;
     std::map<std::string, std::vector<std::shared_ptr<const scene::TriangleMesh>>> meshes_;  // the parts of each file
     std::vector<std::string> reading_;                                                       // scenes around the one that is read now
     std::size_t includes_ = 0;

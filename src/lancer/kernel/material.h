@@ -199,17 +199,38 @@ FN void take_material(IN(WorldRecord) world, IN(MaterialRecord) material, IN(Sur
     }
 }
 
+// Loose triangles of one instance are done together, too, where no texture wants to know more about each.
+FN bool is_bare(IN(WorldRecord) world, IN(ObjectRecord) object, int flags) {
+    return object.kind == OBJECT_TRIANGLE && AT(world.meshes, object.mesh).flags == 0 && (flags & (MATERIAL_MAPPED | MATERIAL_TINTED)) == 0;
+}
+
 // Lanes that hit the same object are done together. Indices of clear borders are not found here: they need to know what the path is inside of.
 // `width`: diameter of the path's beam where it meets them, in metres. `choice` in [0, 1) chooses from mixed materials.
 FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Float width, Float choice, Vec4 nanometres, Mask here,
                     INOUT(PathVertex) vertex) {
+    int first_triangle = world.sphere_count + world.box_count + world.plane_count + world.placed_count;
+    Mask on_triangle = both(here, is_above(hit.object, Int(first_triangle - 1)));
+    on_triangle = without(on_triangle, is_above(hit.object, Int(first_triangle + world.triangle_count - 1)));
+    Int instance = Int(-1);
+    Int emitters = Int(-1);
+    if (some(on_triangle)) {
+        gather_object(world, hit.object, on_triangle, instance, emitters);
+    }
     Mask todo = here;
     while (some(todo)) {
         int number = first_of(hit.object, todo);
         Mask mine = both(todo, is_equal(hit.object, Int(number)));
         ObjectRecord object = AT(world.objects, number);
         MaterialRecord material = AT(world.surfaces, object.material);
-        SurfacePoint s = textured_surface(world, object, material.flags, ray, hit, width, mine);
+        SurfacePoint s;
+        if (is_bare(world, object, material.flags)) {
+            mine = both(both(todo, on_triangle), is_equal(instance, Int(object.instance)));
+            s = bare_triangle_surface(world, object.instance, hit.object - Int(first_triangle), hit, mine);
+            vertex.emitter = select(mine, emitters, vertex.emitter);
+        } else {
+            s = textured_surface(world, object, material.flags, ray, hit, width, mine);
+            vertex.emitter = select(mine, Int(object.emitter), vertex.emitter);
+        }
         Mask inside = dot(s.normal, ray.direction) > Float(0.0f);
         vertex.point.position = select(mine, s.position, vertex.point.position);
         vertex.point.error = select(mine, s.error, vertex.point.error);
@@ -217,7 +238,6 @@ FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Float width
         vertex.point.shading = select(mine, s.shading, vertex.point.shading);
         vertex.inside = either(vertex.inside, both(mine, inside));
         vertex.material = select(mine, Int(object.material), vertex.material);
-        vertex.emitter = select(mine, Int(object.emitter), vertex.emitter);
         if ((material.flags & MATERIAL_EMITS) != 0) {
             Mask shines = mine;
             if ((material.flags & MATERIAL_EMITS_BEHIND) == 0) {

@@ -13,6 +13,7 @@
 #include "lancer/kernel/pixel_filter.h"
 #include "lancer/kernel/sampler.h"
 #include "lancer/kernel/tally.h"
+#include "lancer/kernel/volume/passage.h"
 #include "lancer/kernel/warp.h"
 
 NAMESPACE_BEGIN
@@ -55,8 +56,7 @@ FN PathState start_path(IN(WorldRecord) world, Float pixel_x, Float pixel_y, UIn
     path.radiance = black();
     path.nanometres = vec4_all(Float(D_LINE));
     if (world.spectral != 0) {
-        Vec2 u = sample_pair(path.numbers, UInt(uint(DECISION_WAVELENGTH)));
-        path.nanometres = wavelengths_at(world, u.x, alive);
+        path.nanometres = wavelengths_at(world, quartered_number(path.numbers, sample_number, UInt(uint(DECISION_WAVELENGTH))), alive);
     }
     path.facing = vec3_all(Float(0.0f));
     path.density = Float(0.0f);
@@ -70,6 +70,10 @@ FN PathState start_path(IN(WorldRecord) world, Float pixel_x, Float pixel_y, UIn
         path.spread = beam.y * Float(world.beam);
     }
     path.media = no_media();
+    if (world.has_media != 0) {
+        path.media = media_of_camera(world);
+        path.throughput.w = Float(world.spectral != 0 ? 1.0f : 0.0f);
+    }
     path.alive = alive;
     return path;
 }
@@ -146,9 +150,10 @@ FN void meet_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, Int part, Mas
 
 // ---- Light that is asked for. ------------------------------------------------------------------------------------------------------------
 
-// Of one emitter, at a point seen from `wo` (in `frame`). `front` and `behind`: the media on the path's side of the surface and on the other.
-FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) frame, Vec3 normal, Vec3 facing, Vec3 wo, Int front, Int behind,
-                    Float choice, Vec2 u, Mask asking, INOUT(PathState) path, INOUT(RayTally) tally) {
+// Of one emitter, at a point seen from `wo` (in `frame`). `front` and `behind`: the media on the path's side of the surface and on the other;
+// `beyond`: all that one is in there.
+FN void ask_emitter(IN(WorldRecord) world, int depth, IN(PathVertex) vertex, IN(Frame) frame, Vec3 normal, Vec3 facing, Vec3 wo, Int front,
+                    Int behind, IN(Media) beyond, Float choice, Vec2 u, Mask asking, INOUT(PathState) path, INOUT(RayTally) tally) {
     EmitterChoice chosen = choose_emitter(world, vertex.point.position, facing, choice, asking);
     Mask going = both(both(asking, is_above(chosen.emitter, Int(-1))), chosen.chance > Float(0.0f));
     Ray shadow;
@@ -188,15 +193,27 @@ FN void ask_emitter(IN(WorldRecord) world, IN(PathVertex) vertex, IN(Frame) fram
         value.value = value.value * between_hills(vertex.hills, vertex.smooth_, shadow.direction);
         // Through a surface only where both its normals agree that it is through.
         Mask agree = (wi.z * dot(normal, shadow.direction)) > Float(0.0f);
+        Mask through = wi.z < Float(0.0f);
+        if (world.has_media != 0) {
+            agree = either(agree, is_phase(vertex.closure));
+            through = without(through, is_phase(vertex.closure));
+        }
         going = without(both(going, agree), is_black(value.value));
         if (world.limits.limited != 0) {
-            going = both(going, may_scatter(world, path.scattered, is_matt(vertex.closure), wi.z < Float(0.0f)));
+            going = both(going, may_scatter(world, path.scattered, is_matt(vertex.closure), through));
         }
         if (some(going)) {
             tally.shadow += lanes_in(going);
-            Float passes = passing_light(world, shadow, going);
+            Float passes = Float(1.0f);
+            if (world.has_media != 0) {
+                Media around = select_media(without(through, vertex.closure.thin), beyond, path.media);
+                UInt decision = UInt(uint(DECISION_DIMMING + depth * DECISIONS_OF_DIMMING));
+                light = light * passing_spectrum(world, shadow, around, path.nanometres, path.numbers, decision, going);
+            } else {
+                passes = passing_light(world, shadow, going);
+            }
             Mask lit = both(going, passes > Float(0.0f));
-            if (world.has_transparency != 0) {
+            if (world.has_transparency != 0 && world.has_media == 0) {
                 Mask near = both(lit, shadow.reach < Float(FAR));
                 Int medium = select(wi.z > Float(0.0f), front, behind);
                 light = light * left_of_light(world, medium, shadow.reach, path.nanometres, near);
@@ -215,6 +232,12 @@ FN void find_border(IN(WorldRecord) world, IN(PathState) path, Mask clear, Mask 
     beyond = select_media(vertex.inside, left(path.media, vertex.material), entered(path.media, vertex.material));
     Int front = medium_before(path.media, vertex.material, vertex.inside);
     Int behind = beyond.first;
+    if (world.has_media != 0) {
+        beyond = crossed(world, path.media, vertex.material, vertex.inside, clear);
+        Mask found = without(vertex.inside, is_inside(path.media, vertex.material));
+        front = select(found, vertex.material, bending_body(world, path.media, clear));
+        behind = bending_body(world, beyond, clear);
+    }
     // A pane has air on both sides; what bends is its own material.
     front = select(thin, Int(-1), front);
     behind = select(thin, vertex.material, behind);
@@ -263,8 +286,31 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
     ray.direction = path.direction;
     ray.reach = Float(FAR);
     Float passed = Float(0.0f);
-    Hit hit = closest_there(world, path.numbers, DECISION_LAYERS + depth * DECISIONS_OF_LAYERS, path.alive, ray, passed);
-    Mask here = both(path.alive, is_above(hit.object, Int(-1)));
+    Float before = Float(0.0f);
+    Hit hit;
+    PathVertex vertex = no_vertex();
+    Mask scattered = without(path.alive, path.alive);
+    if (world.has_media != 0) {
+        Passage passage =
+            pass_media(world, path.numbers, depth, path.origin, path.direction, path.media, path.throughput, path.nanometres, path.alive);
+        ray.origin = passage.ray.origin;
+        hit = passage.hit;
+        passed = passage.passed;
+        before = passage.before;
+        scattered = passage.scattered;
+        path.radiance = path.radiance + passage.emission;
+        path.throughput = passage.throughput;
+        path.media = passage.media;
+        path.alive = without(path.alive, passage.lost);
+        vertex.closure = select_closure(scattered, phase_closure(passage.phase, passage.asymmetry), vertex.closure);
+        vertex.point.position = passage.position;
+        vertex.point.normal = -path.direction;
+        vertex.point.shading = -path.direction;
+    } else {
+        hit = closest_there(world, path.numbers, DECISION_LAYERS + depth * DECISIONS_OF_LAYERS, path.alive, ray, passed);
+    }
+    Mask met = both(path.alive, is_above(hit.object, Int(-1)));
+    Mask here = both(path.alive, either(met, scattered));
     Mask missed = without(path.alive, here);
     bool seen = depth > 0 || world.sky.visible != 0;
     if (world.environment >= 0 && seen && some(missed)) {
@@ -273,25 +319,24 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
     path.alive = here;
     if (world.watched != 0) {
         sight.hit = hit;
-        sight.hit.t = passed + hit.t;
+        sight.hit.t = before + passed + hit.t;
         sight.met = path.radiance;
     }
     if (some(here)) {
-        PathVertex vertex = no_vertex();
         Float distance = passed + hit.t;
-        path.width = path.width + path.spread * distance;
+        path.width = path.width + path.spread * (before + select(met, distance, Float(0.0f)));
         Float which = Float(0.0f);
         if (world.has_choices != 0) {
             Vec2 u = decide(path, depth, DECISION_SURVIVAL);
             which = u.y;
         }
-        find_vertex(world, ray, hit, path.width, which, path.nanometres, here, vertex);
+        find_vertex(world, ray, hit, path.width, which, path.nanometres, met, vertex);
         Mask thin = is_equal(vertex.closure.kind, Int(BSDF_THIN_DIELECTRIC));
         Mask body = both(here, is_clear(vertex.closure));
         Int front = path.media.first;
         if (world.has_transparency != 0) {
             front = select(both(body, vertex.inside), medium_before(path.media, vertex.material, vertex.inside), front);
-            Spectrum left_over = left_of_light(world, front, distance, path.nanometres, here);
+            Spectrum left_over = left_of_light(world, front, distance, path.nanometres, met);
             path.throughput = path.throughput * left_over;
         }
         Mask shining = without(here, is_black(vertex.emission));
@@ -330,14 +375,17 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
             Mask asking = without(going, is_smooth(vertex.closure));
             if (world.emitter_count > 0 && world.ways != WAYS_BSDF && some(asking)) {
                 Int behind = select(sheet, front, beyond.first);
-                ask_emitter(world, vertex, frame, normal, facing, wo, front, behind, choice.x, decide(path, depth, DECISION_LIGHT), asking,
-                            path, tally);
+                ask_emitter(world, depth, vertex, frame, normal, facing, wo, front, behind, beyond, choice.x,
+                            decide(path, depth, DECISION_LIGHT), asking, path, tally);
             }
             BsdfSample next = bsdf_sample(world, vertex.closure, wo, choice.y, decide(path, depth, DECISION_DIRECTION), going);
             Vec3 direction = normalize(to_world(frame, next.wi));
             next.weight = next.weight * between_hills(vertex.hills, vertex.smooth_, direction);
             Float rises = dot(direction, normal);
             Mask right_side = either(both(next.transmits, rises < Float(0.0f)), without(rises > Float(0.0f), next.transmits));
+            if (world.has_media != 0) {
+                right_side = either(right_side, is_phase(vertex.closure));
+            }
             going = both(both(going, next.valid), right_side);
             if (world.limits.limited != 0) {
                 Mask matt = is_matt(vertex.closure);

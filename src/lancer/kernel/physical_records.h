@@ -28,6 +28,11 @@ const int BSDF_PLASTIC = 6;
 const int BSDF_PRINCIPLED = 7;
 const int BSDF_BURLEY = 8;
 const int BSDF_KINDS = 9;
+const int BSDF_NULL = 15;  // the border of a medium: light passes as if there were nothing
+
+// How media scatter, see volume/phase.h.
+const int PHASE_HENYEY_GREENSTEIN = 16;
+const int PHASE_RAYLEIGH = 17;
 
 const int MATERIAL_EMITS = 1;
 const int MATERIAL_EMITS_BEHIND = 2;    // on its inner side, too
@@ -42,6 +47,7 @@ const int MATERIAL_RELIEF = 512;        // its normals are bent by a texture
 const int MATERIAL_CHOOSES = 1024;      // is a mix, or has another material behind
 const int MATERIAL_CUT = 2048;          // is not there everywhere, see `opacity`
 const int MATERIAL_OPEN_BEHIND = 4096;  // nor where it is met from within; always cut, too
+const int MATERIAL_BODY = 8192;         // a clear body, whose border bends all light that goes through
 const int MATERIAL_SEPARATE = 32768;    // its facets hide one another towards either direction by itself
 const int MATERIAL_BLENDS = 131072;     // a mix of two diffuse surfaces, looked at as one of the mixed colour
 const int MATERIAL_HILLS = 262144;      // its bent normals hide from one another, see relief.h
@@ -109,6 +115,42 @@ struct MaterialRecord {
     float brightness;      // luminance of the base's colour
 };
 
+const int VOLUME_SCATTERS = 1;
+const int VOLUME_EMITS = 2;
+const int VOLUME_HAS_ALBEDO = 4;
+
+const int HEAT_ENTRIES = 128;  // of a table of black bodies
+
+// What fills space.
+struct VolumeRecord {
+    ColorRecord first;     // with VOLUME_HAS_ALBEDO extinction, else absorption; per metre
+    ColorRecord second;    // the albedo, else scattering per metre
+    ColorRecord emission;  // radiance where nothing shines through
+    int flags;
+    int phase;             // PHASE_*
+    float asymmetry;       // of Henyey and Greenstein's, -0.999 to 0.999
+    int grid;              // into grids: the density, which extinction is multiplied by; -1: 1 everywhere
+    int albedo_grid;       // instead of the albedo; -1: none
+    int temperature_grid;  // kelvin; -1: none
+    int heat;              // the spectra of HEAT_ENTRIES black bodies from 0 K on: the first one's curve, or as RGB its place in voxels
+    float heat_steps;      // entries a kelvin
+};
+
+// Numbers in the cells of a box, and for each block of cells the largest of any place in it.
+struct GridRecord {
+    AffineRecord to_grid;  // the box becomes the unit cube
+    int columns;
+    int rows;
+    int layers;
+    int channels;  // 1 or 3
+    int first;     // into voxels: x runs fastest, then y, then z
+    int block;     // cells along the side of a block
+    int blocks_x;
+    int blocks_y;
+    int blocks_z;
+    int first_block;  // into voxels
+};
+
 const int EMITTER_POINT = 0;
 const int EMITTER_SPOT = 1;
 const int EMITTER_DIRECTIONAL = 2;
@@ -147,6 +189,7 @@ const int SKY_NONE = 0;
 const int SKY_EVEN = 1;      // `horizon` everywhere
 const int SKY_GRADIENT = 2;  // from below to above
 const int SKY_IMAGE = 3;
+const int SKY_KINDS = 4;
 
 // Where no object is. An image is `scale` times sky_texels, `height` rows of `width`, under the illuminant of `horizon`.
 struct SkyRecord {
@@ -177,6 +220,14 @@ struct PathLimits {
     int transmission;
 };
 
+// Which ends of paths are followed.
+const int HALF_OF_CAMERA = 0;
+const int HALF_OF_LIGHT = 1;
+const int HALVES_JOINED = 2;  // both, each vertex of one joined to each of the other
+const int HALVES_MERGED = 3;  // and vertices of the camera's merged with photons
+
+const int PHOTON_PATHS = 65536;  // of light, for each sample of all pixels, see bidirectional/merge.h
+
 // Which of the two ways to a lamp's light are gone.
 const int WAYS_BOTH = 0;
 const int WAYS_EMITTER = 1;  // lamps are asked; what could have been asked and is met by itself does not count
@@ -185,10 +236,12 @@ const int WAYS_BSDF = 2;     // lamps are met
 // One coordinate of a pixel's filter, to be drawn from: `filter_places` holds FILTER_STEPS + 1 places, in pixels from the pixel's middle, at even
 // steps of to_even_ends(share of the filter's absolute value): the ends hardly count, and have a shape of their own.
 const int FILTER_STEPS = 4096;
+const int FILTER_VALUES = 1024;  // `filter_values` holds one more, from the middle to the radius; their integral over both sides is 1
 
 struct FilterRecord {
     float negative_from;  // the filter is negative farther from the middle than this; FAR where it is not
     float weight;         // of a sample: the integral of the absolute value over that of the filter itself
+    float radius;         // beyond it the filter is 0; pixels
 };
 
 RECORDS_END
@@ -196,7 +249,7 @@ RECORDS_END
 #ifdef __cplusplus
 namespace lancer::kernel {
 static_assert(sizeof(ColorRecord) == 40 && sizeof(InputRecord) == 20 && sizeof(MaterialRecord) == 328 && sizeof(EmitterRecord) == 144 &&
-              sizeof(SkyRecord) == 196);
+              sizeof(SkyRecord) == 196 && sizeof(VolumeRecord) == 152 && sizeof(GridRecord) == 88);
 }  // namespace lancer::kernel
 #endif
 

@@ -25,6 +25,17 @@ FN FilterSample sample_filter(IN(WorldRecord) world, Float u, Mask mask) {
     return s;
 }
 
+// The filter itself, per pixel, at a distance in pixels from the pixel's middle.
+FN Float filter_value(IN(WorldRecord) world, Float distance, Mask mask) {
+    Float place = abs(distance) * Float(float(FILTER_VALUES) / world.filter_record.radius);
+    Float below = floor(place);
+    Mask within = both(mask, below < Float(float(FILTER_VALUES)));
+    Int entry = to_int(select(within, below, Float(0.0f)));
+    Float low = gather_float(world.filter_values, entry, within);
+    Float high = gather_float(world.filter_values, entry + Int(1), within);
+    return select(within, low + (high - low) * (place - below), Float(0.0f));
+}
+
 NAMESPACE_END
 
 #endif

@@ -122,6 +122,7 @@ const int TEXELS_RGBA_FLOAT = 3;
 const int REFRACTION_CAUCHY = 0;     // n = a[0] + a[1] / nm^2; a constant index has a[1] = 0
 const int REFRACTION_SELLMEIER = 1;  // a = B1 B2 B3, b = C1 C2 C3 in square micrometres
 const int REFRACTION_CURVE = 2;      // curves[curve]
+const int REFRACTION_NONE = 3;       // that of whatever is around it
 
 struct TextureRecord {
     int kind;
@@ -160,6 +161,8 @@ struct MediumRecord {
     vec3 refraction_b;
     vec3 absorption;  // linear RGB, per metre
     int curve;
+    int volume;    // into volumes, -1: clear, or only absorbing, see MaterialRecord
+    int priority;  // where bodies overlap
 };
 
 // ---- Lights, camera, surroundings -------------------------------------------------------------------------------------------------
@@ -222,6 +225,8 @@ TABLE(TextureRecord, TextureTable)
 TABLE(WhittedRecord, WhittedTable)
 TABLE(MediumRecord, MediumTable)
 TABLE(MaterialRecord, MaterialTable)
+TABLE(VolumeRecord, VolumeTable)
+TABLE(GridRecord, GridTable)
 TABLE(EmitterRecord, EmitterTable)
 TABLE(LightRecord, LightTable)
 TABLE(BandRecord, BandTable)
@@ -260,6 +265,9 @@ struct WorldRecord {
     WhittedTable materials;
     MediumTable media;
     MaterialTable surfaces;  // surfaces[i] is materials[i] for light that follows physics
+    VolumeTable volumes;
+    GridTable grids;
+    FloatTable voxels;
     EmitterTable emitters;
     FloatTable distributions;         // cumulative shares, see EmitterRecord
     FloatTable curves;                // WAVELENGTH_COUNT values each
@@ -267,12 +275,15 @@ struct WorldRecord {
     FloatTable albedo;                // what rough surfaces reflect, see bsdf/albedo.h
     FloatTable filter_places;         // see FilterRecord
     Vec3Table observer;               // linear RGB of one unit at each nanometre
-    FloatTable wavelength_places;     // nanometres at the edges of the slots, see spectrum.h
+    IntTable wavelength_slots;        // the nanometre in which each begins, see spectrum.h
+    FloatTable wavelength_edges;      // of the random number, between the nanometres
     FloatTable wavelength_densities;  // with which each nanometre is drawn
     LightTable lights;
     BandTable bands;
-    IntTable tree;       // the device's own search tree, opaque; null where every object is tested against every ray
-    FloatTable bound_x;  // a sphere around each object of a small world, coordinate by coordinate; planes have an infinite radius
+    IntTable light_vertices;   // the device's own, opaque: see bidirectional/vertex.h
+    FloatTable filter_values;  // of the pixel's filter, see filter_value
+    IntTable tree;             // the device's own search tree, opaque; null where every object is tested against every ray
+    FloatTable bound_x;        // a sphere around each object of a small world, coordinate by coordinate; planes have an infinite radius
     FloatTable bound_y;
     FloatTable bound_z;
     FloatTable bound_radius;
@@ -287,11 +298,15 @@ struct WorldRecord {
     int emitter_count;
     int chosen_by_strength;  // 1: too many emitters to look at each; chosen by `strength` alone
     int environment;         // the emitter that is the sky, -1: none
-    int spectral;            // 0: linear RGB
-    int watched;             // 1: a path's steps tell what they meet
-    int max_depth;           // vertices of a path after the camera, at most
+    int first_emission;      // into distributions: cumulative shares of the emitters' power
+    vec3 scene_middle;       // of a sphere around all that is not infinite
+    float scene_radius;
+    int spectral;   // 0: linear RGB
+    int watched;    // 1: a path's steps tell what they meet
+    int max_depth;  // vertices of a path after the camera, at most
     PathLimits limits;
-    int ways;  // WAYS_*
+    int ways;    // WAYS_*
+    int halves;  // HALF_* or HALVES_*: which ends paths are followed from
     FilterRecord filter_record;
     int seed;
     int band_count;
@@ -302,6 +317,13 @@ struct WorldRecord {
     int has_directions;  // 1: some surface has a direction, see MATERIAL_TURNED
     float beam;          // share of a pixel's width that each of its samples stands for; 0: no texture asks
     int has_transparency;
+    int has_media;           // 1: there are volumes, null borders or priorities
+    int has_priorities;      // 1: not all bodies have the same
+    int surrounding_volume;  // into volumes, -1: nothing
+    int camera_first;        // the bodies that the camera is in, as Media has them
+    int camera_second;
+    int camera_third;
+    int camera_fourth;
     vec3 ambient;
     SkyRecord sky;
     CameraRecord camera;
@@ -314,7 +336,7 @@ namespace lancer::kernel {
 static_assert(sizeof(vec3) == 12 && sizeof(vec2) == 8, "records have scalar layout");
 static_assert(sizeof(SphereRecord) == 16 && sizeof(BoxRecord) == 24 && sizeof(PlaneRecord) == 76 && sizeof(AffineRecord) == 48 &&
               sizeof(PlacedRecord) == 156 && sizeof(TriangleRecord) == 36 && sizeof(InstanceRecord) == 104 && sizeof(ObjectRecord) == 28 &&
-              sizeof(TextureRecord) == 92 && sizeof(WhittedRecord) == 40 && sizeof(MediumRecord) == 48 && sizeof(LightRecord) == 48 &&
+              sizeof(TextureRecord) == 92 && sizeof(WhittedRecord) == 40 && sizeof(MediumRecord) == 56 && sizeof(LightRecord) == 48 &&
               sizeof(CameraRecord) == 104);
 }  // namespace lancer::kernel
 #endif

@@ -20,8 +20,8 @@ const float FIRST_WAVELENGTH = 360.0f;  // nanometres
 const float LAST_WAVELENGTH = 830.0f;
 const int WAVELENGTH_COUNT = 471;  // tables hold one value for each nanometre
 
-// Wavelengths are drawn with a density that is the same within each nanometre: a whole number of WAVELENGTH_SLOTS equal shares of the random
-// number fall to it, at least one. world/wavelengths.h says which.
+// Wavelengths are drawn with a density that is the same within each nanometre: 1 / WAVELENGTH_SLOTS at least. world/wavelengths.h says which. For
+// each of so many equal shares of the random number a table says in which nanometre it begins.
 const int WAVELENGTH_SLOTS = 8192;
 
 FN Spectrum black() { return vec4_all(Float(0.0f)); }
@@ -41,12 +41,16 @@ FN Float natural_log(Float x) { return log_2(x) * Float(0.69314718f); }
 FN Int wavelength_entry(Float nanometres) { return round_to_int(nanometres - Float(FIRST_WAVELENGTH)); }
 
 FN Float wavelength_at(IN(WorldRecord) world, Float u, Mask mask) {
-    Float place = u * Float(float(WAVELENGTH_SLOTS));
-    Float below = floor(place);
-    Int slot = round_to_int(below);
-    Float a = gather_float(world.wavelength_places, slot, mask);
-    Float b = gather_float(world.wavelength_places, slot + Int(1), mask);
-    return min(max(a + (b - a) * (place - below), Float(FIRST_WAVELENGTH)), Float(LAST_WAVELENGTH));
+    Int entry = gather_int(world.wavelength_slots, round_to_int(floor(u * Float(float(WAVELENGTH_SLOTS)))), mask);
+    Float lower = gather_float(world.wavelength_edges, entry, mask);
+    Float upper = gather_float(world.wavelength_edges, entry + Int(1), mask);
+    // A share is no longer than a nanometre's: it ends in this one or in the next.
+    Mask beyond = u >= upper;
+    Float last = gather_float(world.wavelength_edges, entry + Int(2), mask);
+    entry = select(beyond, entry + Int(1), entry);
+    Float share = (u - select(beyond, upper, lower)) / select(beyond, last - upper, upper - lower);
+    Float place = min(max(share, Float(0.001f)), Float(0.999f)) + to_float(entry) + Float(FIRST_WAVELENGTH - 0.5f);
+    return min(max(place, Float(FIRST_WAVELENGTH)), Float(LAST_WAVELENGTH));
 }
 
 // Density per nanometre.

@@ -88,6 +88,22 @@ FN SurfacePoint loose_triangle_surface(IN(WorldRecord) world, IN(ObjectRecord) o
     return s;
 }
 
+// The same for several triangles of one instance whose mesh has nothing of its own at its corners, a different one in each lane. `index`: into
+// world.triangles.
+FN SurfacePoint bare_triangle_surface(IN(WorldRecord) world, int instance_index, Int index, IN(Hit) hit, Mask mask) {
+    Vec3 a = vec3_all(Float(0.0f));
+    Vec3 b = a;
+    Vec3 c = a;
+    gather_triangle(world, index, mask, a, b, c);
+    InstanceRecord instance = AT(world.instances, instance_index);
+    SurfacePoint s = triangle_surface(a, b, c, hit.u, hit.v);
+    s.normal = instance.flips != 0 ? -s.normal : s.normal;
+    s.shading = s.normal;
+    s.local = apply_affine(instance.to_object, s.position);
+    s.local_in = -normalize(apply_transposed(instance.to_world, s.normal));
+    return s;
+}
+
 FN SurfacePoint object_surface(IN(WorldRecord) world, IN(ObjectRecord) object, IN(Ray) ray, IN(Hit) hit, Mask mask) {
     SurfacePoint s = no_surface();
     if (object.kind == OBJECT_SPHERE) {

@@ -36,6 +36,32 @@ FN vec4 stored_texel(IN(WorldRecord) world, IN(TextureRecord) texture, int at) {
 
 #ifdef LANCER_ISA
 
+#if defined(__AVX512F__)
+
+FN Int gather_int(IntTable table, Int index, Mask mask) {
+    return _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), static_cast<__mmask16>(mask_bits(mask)), index, table, 4);
+}
+
+FN Float gather_step(const float* table, Int index, Mask mask) {
+    return _mm512_mask_i32gather_ps(_mm512_setzero_ps(), static_cast<__mmask16>(mask_bits(mask)), index, table, 4);
+}
+
+FN Float gather_float(FloatTable table, Int index, Mask mask) { return gather_step(table, index, mask); }
+
+FN Vec2 gather_vec2(Vec2Table table, Int index, Mask mask) {
+    const float* x = &table->x;
+    const Int at = index + index;
+    return vec2_of(gather_step(x, at, mask), gather_step(x + 1, at, mask));
+}
+
+FN Vec3 gather_vec3(Vec3Table table, Int index, Mask mask) {
+    const float* x = &table->x;
+    const Int at = index + index + index;
+    return vec3_of(gather_step(x, at, mask), gather_step(x + 1, at, mask), gather_step(x + 2, at, mask));
+}
+
+#else
+
 FN Int gather_int(IntTable table, Int index, Mask mask) {
     alignas(64) std::int32_t at[LANES];
     alignas(64) std::int32_t out[LANES] = {};
@@ -84,6 +110,30 @@ FN Vec3 gather_vec3(Vec3Table table, Int index, Mask mask) {
         z[lane] = table[at[lane]].z;
     }
     return vec3_of(Float::load_aligned(x), Float::load_aligned(y), Float::load_aligned(z));
+}
+
+#endif
+
+// Of each lane's object: the instance that it is a triangle of, and the emitter.
+FN void gather_object(IN(WorldRecord) world, Int number, Mask mask, INOUT(Int) instance, INOUT(Int) emitter) {
+    alignas(64) std::int32_t at[LANES];
+    alignas(64) std::int32_t out[2][LANES] = {};
+    number.store_aligned(at);
+    for (unsigned left = mask_bits(mask); left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        out[0][lane] = world.objects[at[lane]].instance;
+        out[1][lane] = world.objects[at[lane]].emitter;
+    }
+    instance = Int::load_aligned(out[0]);
+    emitter = Int::load_aligned(out[1]);
+}
+
+FN void gather_triangle(IN(WorldRecord) world, Int index, Mask mask, INOUT(Vec3) a, INOUT(Vec3) b, INOUT(Vec3) c) {
+    const vec3* corners = &world.triangles->a;
+    const Int first = index + index + index;
+    a = gather_vec3(corners, first, mask);
+    b = gather_vec3(corners + 1, first, mask);
+    c = gather_vec3(corners + 2, first, mask);
 }
 
 FN Vec4 load_rows(const float* x, const float* y, const float* z, const float* w) {
@@ -168,6 +218,28 @@ FN Vec4 gather_texel(IN(WorldRecord) world, IN(TextureRecord) texture, Int index
         value = broadcast(stored_texel(world, texture, index));
     }
     return value;
+}
+
+FN void gather_object(IN(WorldRecord) world, Int number, Mask mask, INOUT(Int) instance, INOUT(Int) emitter) {
+    instance = 0;
+    emitter = 0;
+    if (mask) {
+        ObjectRecord object = AT(world.objects, number);
+        instance = object.instance;
+        emitter = object.emitter;
+    }
+}
+
+FN void gather_triangle(IN(WorldRecord) world, Int index, Mask mask, INOUT(Vec3) a, INOUT(Vec3) b, INOUT(Vec3) c) {
+    a = vec3_all(Float(0.0f));
+    b = a;
+    c = a;
+    if (mask) {
+        TriangleRecord triangle = AT(world.triangles, index);
+        a = broadcast(triangle.a);
+        b = broadcast(triangle.b);
+        c = broadcast(triangle.c);
+    }
 }
 
 #endif

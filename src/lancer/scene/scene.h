@@ -181,6 +181,7 @@ struct PrincipledMaterial {
     Value sheen_roughness = 0.3;
     Value film = 0.0;  // thickness in nanometres of a thin film; 0: none
     double film_refraction = 1.3;
+    double dispersion = 0.0;  // of the clear body: 20 / Abbe number, as glTF has it
 };
 
 // Burley's surface, after what was published of it: scenes of other programs are made for it. It is bright where PrincipledMaterial is true.
@@ -200,6 +201,9 @@ struct BurleyMaterial {
     bool thin = false;        // a sheet: no metal, no coat
     Value passes = 0.0;       // of a sheet: the share of the diffuse light that goes through, 0 to 1
 };
+
+// A border with nothing to be seen of it, between one medium and another of the same refractive index, such as that of a cloud.
+struct NullMaterial {};
 
 // Light that a surface gives by itself.
 struct Emission {
@@ -221,27 +225,77 @@ struct Relief {
     double scale = 1.0;                             // of x and y
     bool flips_green = false;                       // y grows downwards
     std::optional<Value> heights = std::nullopt;    // metres outwards, of which only the slopes are seen
+    bool shadows = false;                           // light that comes slantwise is dimmed as if the relief hid it from itself
 };
 
 struct Material {
     std::string name;  // empty when written in place
     std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial,
-                 BurleyMaterial, MixMaterial>
+                 BurleyMaterial, MixMaterial, NullMaterial>
         model;
     SourcePosition position;
     std::optional<Emission> emission = std::nullopt;
     bool is_default = false;  // for shapes without one: as it is, or diffuse where light follows physics
     Relief relief = {};
-    Value opacity = 1.0;             // how much of it is there; light passes by the rest as if there were nothing
-    double opacity_cutoff = 0.0;     // above 0: it is there where the opacity is at least this, and nowhere else
-    std::optional<int> behind = {};  // what is seen from within instead: index into Scene::materials
-    bool one_sided = false;          // black when seen from within
-    bool open_behind = false;        // not there when seen from within
+    Value opacity = 1.0;               // how much of it is there; light passes by the rest as if there were nothing
+    double opacity_cutoff = 0.0;       // above 0: it is there where the opacity is at least this, and nowhere else
+    std::optional<int> behind = {};    // what is seen from within instead: index into Scene::materials
+    bool one_sided = false;            // black when seen from within
+    bool open_behind = false;          // not there when seen from within
+    std::optional<int> interior = {};  // what fills a clear body or what a null border closes in: index into Scene::media
+    int priority = 0;                  // of bodies that overlap the one of the highest fills the overlap; of equals the one entered last
 };
 
 inline bool is_physical(const Material& material) {
     return !std::holds_alternative<WhittedMaterial>(material.model) || material.emission.has_value();
 }
+
+// ---- Media ----------------------------------------------------------------------------------------------------------------------
+
+// Numbers in a box: in cells of equal size, x running fastest, then y, then z. One channel, or three: linear RGB.
+struct VoxelData {
+    glm::ivec3 size{1};
+    int channels = 1;
+    std::vector<float> values;  // size.x * size.y * size.z * channels
+};
+
+// A quantity in space: what the cells hold in their middles, and straight between them. Outside the box it is 0.
+struct Grid {
+    std::shared_ptr<const VoxelData> data;
+    glm::dmat4 to_world{1.0};  // from the unit cube, which the cells fill
+    bool fades = false;        // towards 0 beyond the middles of the outermost cells; else it stays as it is there
+};
+
+// By how much it absorbs and scatters, each in 1/m.
+struct AbsorbingScattering {
+    Color absorption;
+    Color scattering;
+};
+
+// The same by their sum in 1/m, and the share of it that is scattering.
+struct ExtinctionAlbedo {
+    Color extinction;
+    Color albedo;
+};
+
+// Into which directions a medium scatters.
+enum class Phase { henyey_greenstein, rayleigh };
+
+// What fills space, evenly or as a grid has it: fog, smoke, milk, fire.
+struct Medium {
+    std::string name;
+    std::variant<AbsorbingScattering, ExtinctionAlbedo> coefficients;
+    double scale = 1.0;  // times these
+    Phase phase = Phase::henyey_greenstein;
+    double asymmetry =
+        0.0;         // Henyey and Greenstein's g, the mean cosine of the angle by which light is turned: -1 to 1, 0 for all sides alike
+    Color emission;  // radiance that so much of it would have that nothing shines through: it emits as much as it absorbs of this
+    double emission_strength = 1.0;        // times this
+    std::optional<Grid> density = {};      // times the coefficients; in colours where it has three channels
+    std::optional<Grid> albedo = {};       // three channels: of extinction, instead of the albedo (ExtinctionAlbedo only)
+    std::optional<Grid> temperature = {};  // kelvin, one channel: of a black body, whose light times `emission` it then emits
+    SourcePosition position;
+};
 
 // ---- Shapes, each in its own object space -----------------------------------------------------------------------------------------
 
@@ -417,11 +471,20 @@ struct RenderSettings {
     bool wide = false;                 // 32-bit floats in EXR files, not halves
 };
 
+// A file that the scene was read from.
+struct InputFile {
+    std::string path;  // as named, from where the program was started
+    std::string hash;  // hexadecimal, of its bytes
+};
+
 struct Scene {
-    std::string file;             // as named by the user
-    std::string hash;             // hexadecimal, over the scene file and everything it reads
-    std::vector<Camera> cameras;  // at least one
+    std::string file;               // as named by the user
+    std::string hash;               // hexadecimal, over the scene file and everything it reads
+    std::vector<InputFile> inputs;  // the scene file and everything it reads, in the order of reading
+    std::vector<Camera> cameras;    // at least one
     std::vector<Material> materials;
+    std::vector<Medium> media;
+    std::optional<int> medium;  // what is everywhere outside of bodies: index into `media`
     std::vector<Group> groups;  // a group comes after every group it places
     std::vector<Object> objects;
     std::vector<Placement> placements;

@@ -35,4 +35,27 @@ inline float first_known(const TracePacket& p, int lane) {
     return p.t[lane] + size * (64.0f * kernel::ROUNDING);
 }
 
+// The numbers of a triangle's corners, counted from its mesh's first vertex.
+inline const int* corners_of(const kernel::WorldRecord& world, int object, int part) {
+    return world.indices + 3 * (world.meshes[world.instances[world.objects[object].index].mesh].first_triangle + part);
+}
+
+// The kernel's answer for a triangle that Embree would accept. Where only the two roundings of its edge differ, Embree's word counts: it
+// refused the neighbour. But the distance is the kernel's, in world space, where the ray's origin was moved off its surface.
+inline kernel::TriangleHit mesh_hit(const kernel::WorldRecord& world, int object, int part, float u, float v, const kernel::Ray& ray) {
+    const kernel::InstanceRecord& instance = world.instances[world.objects[object].index];
+    const kernel::MeshRecord& mesh = world.meshes[instance.mesh];
+    const int* corners = corners_of(world, object, part);
+    const auto corner = [&](int i) {
+        return kernel::apply_affine(instance.to_world, kernel::broadcast(world.positions[mesh.first_vertex + corners[i]]));
+    };
+    const kernel::Vec3 a = corner(0), b = corner(1), c = corner(2);
+    kernel::TriangleHit hit = kernel::triangle_hit(a, b, c, ray);
+    if (hit.t >= kernel::FAR) {
+        const float t = kernel::triangle_plane_distance(a, b, c, ray);
+        hit = {t, u, v};
+    }
+    return hit;
+}
+
 }  // namespace lancer

@@ -68,6 +68,43 @@ void meet_planes(const kernel::WorldRecord& world, TracePacket& p, int lane) {
     }
 }
 
+// Triangles of meshes that are part of the tree itself: which one is Embree's word, where it is met is the kernel's.
+template <int lanes>
+void keep_triangles(const kernel::WorldRecord& world, const typename Packet<lanes>::RayHit& packet, TracePacket& p) {
+    const Tree::Implementation& tree = tree_of(world);
+    int found[static_cast<std::size_t>(lanes)];
+    int count = 0;
+    for (int i = 0; i < lanes; ++i) {
+        if (is_alive(p, i) && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID && packet.hit.instID[0][i] == RTC_INVALID_GEOMETRY_ID) {
+            found[count++] = i;
+        }
+    }
+    // All lanes wait for memory together, first for the corners' numbers, then for the corners.
+    const auto object_of = [&](int i) { return tree.objects_of_geometry[packet.hit.geomID[i]]; };
+    for (int k = 0; k < count; ++k) {
+        __builtin_prefetch(corners_of(world, object_of(found[k]), static_cast<int>(packet.hit.primID[found[k]])));
+    }
+    for (int k = 0; k < count; ++k) {
+        const int object = object_of(found[k]);
+        const int* corners = corners_of(world, object, static_cast<int>(packet.hit.primID[found[k]]));
+        const kernel::MeshRecord& mesh = world.meshes[world.instances[world.objects[object].index].mesh];
+        for (int corner = 0; corner < 3; ++corner) {
+            const int vertex = mesh.first_vertex + corners[corner];
+            __builtin_prefetch(world.positions + vertex);
+            if ((mesh.flags & kernel::MESH_HAS_NORMALS) != 0) {  // shading will ask for these
+                __builtin_prefetch(world.normals + vertex);
+            }
+            if ((mesh.flags & kernel::MESH_HAS_UVS) != 0) {
+                __builtin_prefetch(world.uvs + vertex);
+            }
+        }
+    }
+    for (int k = 0; k < count; ++k) {
+        const int i = found[k], object = object_of(i), part = static_cast<int>(packet.hit.primID[i]);
+        keep_first(p, i, object, part, mesh_hit(world, object, part, packet.hit.u[i], packet.hit.v[i], lane_ray(p, i)));
+    }
+}
+
 template <int lanes>
 void closest(const kernel::WorldRecord& world, TracePacket& p) {
     alignas(64) int valid[static_cast<std::size_t>(lanes)];
@@ -92,6 +129,7 @@ void closest(const kernel::WorldRecord& world, TracePacket& p) {
     TraceContext context{{}, &world, &p};
     rtcInitIntersectContext(&context.embree);
     Packet<lanes>::intersect(valid, tree_of(world).scene, &context.embree, &packet);
+    keep_triangles<lanes>(world, packet, p);
 }
 
 template <int lanes>

@@ -14,7 +14,9 @@ namespace lancer {
 
 Tree::Implementation::~Implementation() {
     for (RTCScene mesh : mesh_scenes) {
-        rtcReleaseScene(mesh);
+        if (mesh != nullptr) {
+            rtcReleaseScene(mesh);
+        }
     }
     if (scene != nullptr) {
         rtcReleaseScene(scene);
@@ -130,7 +132,8 @@ void intersect_shape(const RTCIntersectFunctionNArguments* arguments) {
         }
         const int lane = static_cast<int>(RTCRayN_id(rays, arguments->N, i));
         if (keep_first(packet, lane, number, tree.world.objects[number].sub, shape_hit(tree.world, number, lane_ray(packet, lane)))) {
-            RTCRayN_tfar(rays, arguments->N, i) = first_known(packet, lane);
+            float& far = RTCRayN_tfar(rays, arguments->N, i);
+            far = std::min(far, first_known(packet, lane));  // a triangle may be nearer
         }
     }
 }
@@ -147,24 +150,6 @@ void occlude_shape(const RTCOccludedFunctionNArguments* arguments) {
             RTCRayN_tfar(arguments->ray, arguments->N, i) = -std::numeric_limits<float>::infinity();
         }
     }
-}
-
-// The kernel's answer for a triangle that Embree would accept. Where only the two roundings of its edge differ, Embree's word counts: it
-// refused the neighbour. But the distance is the kernel's, in world space, where the ray's origin was moved off its surface.
-kernel::TriangleHit mesh_hit(const kernel::WorldRecord& world, int object, int part, float u, float v, const kernel::Ray& ray) {
-    const kernel::InstanceRecord& instance = world.instances[world.objects[object].index];
-    const kernel::MeshRecord& mesh = world.meshes[instance.mesh];
-    const int* corners = world.indices + 3 * (mesh.first_triangle + part);
-    const auto corner = [&](int i) {
-        return kernel::apply_affine(instance.to_world, kernel::broadcast(world.positions[mesh.first_vertex + corners[i]]));
-    };
-    const kernel::Vec3 a = corner(0), b = corner(1), c = corner(2);
-    kernel::TriangleHit hit = kernel::triangle_hit(a, b, c, ray);
-    if (hit.t >= kernel::FAR) {
-        const float t = kernel::triangle_plane_distance(a, b, c, ray);
-        hit = {t, u, v};
-    }
-    return hit;
 }
 
 // Calls `decide(place, lane, object, part, hit)` for each triangle that Embree found, and refuses those for which it says no.
@@ -204,24 +189,62 @@ void confirm_triangle(const RTCFilterFunctionNArguments* arguments) {
     filter_triangles(arguments, [&](unsigned, int lane, int, int, const kernel::TriangleHit& hit) { return hit.t < packet.reach[lane]; });
 }
 
-RTCScene build_mesh(RTCDevice device, const World& world, const kernel::MeshRecord& mesh) {
-    RTCScene scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+void set_indices(RTCGeometry geometry, const World& world, const kernel::MeshRecord& mesh) {
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, world.indices.data(),
+                               static_cast<std::size_t>(mesh.first_triangle) * 3 * sizeof(int), 3 * sizeof(int),
+                               static_cast<std::size_t>(mesh.triangle_count));
+}
+
+// As it was written.
+RTCGeometry mesh_geometry(RTCDevice device, const World& world, const kernel::MeshRecord& mesh) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetGeometryIntersectFilterFunction(geometry, choose_triangle);
-    rtcSetGeometryOccludedFilterFunction(geometry, confirm_triangle);
     // The last position of all is padding.
     const std::size_t vertices = world.positions.size() - static_cast<std::size_t>(mesh.first_vertex) - 1;
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, world.positions.data(),
                                static_cast<std::size_t>(mesh.first_vertex) * sizeof(kernel::vec3), sizeof(kernel::vec3), vertices);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, world.indices.data(),
-                               static_cast<std::size_t>(mesh.first_triangle) * 3 * sizeof(int), 3 * sizeof(int),
-                               static_cast<std::size_t>(mesh.triangle_count));
+    set_indices(geometry, world, mesh);
+    return geometry;
+}
+
+// In world space, its corners those that the kernel compares with.
+RTCGeometry placed_mesh_geometry(RTCDevice device, const World& world, const kernel::MeshRecord& mesh,
+                                 const kernel::AffineRecord& to_world) {
+    const auto corners = world.indices.begin() + 3 * static_cast<std::ptrdiff_t>(mesh.first_triangle);
+    const int last = *std::max_element(corners, corners + 3 * static_cast<std::ptrdiff_t>(mesh.triangle_count));
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* const places = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                                     sizeof(kernel::vec3), static_cast<std::size_t>(last) + 1));
+    if (places == nullptr) {
+        throw MachineFailure("out of memory while building the tree of the scene");
+    }
+    for (int i = 0; i <= last; ++i) {
+        const kernel::Vec3 p =
+            kernel::apply_affine(to_world, kernel::broadcast(world.positions[static_cast<std::size_t>(mesh.first_vertex + i)]));
+        places[3 * i] = p.x;
+        places[3 * i + 1] = p.y;
+        places[3 * i + 2] = p.z;
+    }
+    set_indices(geometry, world, mesh);
+    return geometry;
+}
+
+// A mesh that instances place, its distances measured by the kernel: Embree's are those of rays that were turned into its space.
+RTCScene build_mesh(RTCDevice device, const World& world, const kernel::MeshRecord& mesh) {
+    RTCScene scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    RTCGeometry geometry = mesh_geometry(device, world, mesh);
+    rtcSetGeometryIntersectFilterFunction(geometry, choose_triangle);
+    rtcSetGeometryOccludedFilterFunction(geometry, confirm_triangle);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
     rtcCommitScene(scene);
     return scene;
+}
+
+bool is_identity(const kernel::AffineRecord& m) {
+    return m.row_x == kernel::vec3(1, 0, 0) && m.row_y == kernel::vec3(0, 1, 0) && m.row_z == kernel::vec3(0, 0, 1) &&
+           m.shift == kernel::vec3(0);
 }
 
 void add_shapes(Implementation& tree, const World& world) {
@@ -246,26 +269,46 @@ void add_shapes(Implementation& tree, const World& world) {
     rtcReleaseGeometry(geometry);
 }
 
-void add_instances(Implementation& tree, const World& world) {
-    for (const kernel::MeshRecord& mesh : world.meshes) {
-        tree.mesh_scenes.push_back(build_mesh(tree.device, world, mesh));
+void attach(Implementation& tree, RTCGeometry geometry, std::size_t object) {
+    rtcCommitGeometry(geometry);
+    const unsigned id = rtcAttachGeometry(tree.scene, geometry);
+    tree.objects_of_geometry.resize(std::max<std::size_t>(tree.objects_of_geometry.size(), id + 1), -1);
+    tree.objects_of_geometry[id] = static_cast<int>(object);
+    rtcReleaseGeometry(geometry);
+}
+
+// Meshes that stand where they were written, or are placed once, are part of the tree itself.
+void add_meshes(Implementation& tree, const World& world) {
+    tree.mesh_scenes.resize(world.meshes.size(), nullptr);
+    std::vector<int> uses(world.meshes.size(), 0);
+    for (const kernel::InstanceRecord& instance : world.instances) {
+        ++uses[static_cast<std::size_t>(instance.mesh)];
     }
     for (std::size_t i = 0; i < world.objects.size(); ++i) {
         if (world.objects[i].kind != kernel::OBJECT_MESH) {
             continue;
         }
         const kernel::InstanceRecord& instance = world.instances[static_cast<std::size_t>(world.objects[i].index)];
-        RTCGeometry geometry = rtcNewGeometry(tree.device, RTC_GEOMETRY_TYPE_INSTANCE);
-        rtcSetGeometryInstancedScene(geometry, tree.mesh_scenes[static_cast<std::size_t>(instance.mesh)]);
+        const kernel::MeshRecord& mesh = world.meshes[static_cast<std::size_t>(instance.mesh)];
         const kernel::AffineRecord& m = instance.to_world;
+        if (is_identity(m)) {
+            attach(tree, mesh_geometry(tree.device, world, mesh), i);
+            continue;
+        }
+        if (uses[static_cast<std::size_t>(instance.mesh)] == 1) {
+            attach(tree, placed_mesh_geometry(tree.device, world, mesh, m), i);
+            continue;
+        }
+        RTCScene& mesh_scene = tree.mesh_scenes[static_cast<std::size_t>(instance.mesh)];
+        if (mesh_scene == nullptr) {
+            mesh_scene = build_mesh(tree.device, world, mesh);
+        }
+        RTCGeometry geometry = rtcNewGeometry(tree.device, RTC_GEOMETRY_TYPE_INSTANCE);
+        rtcSetGeometryInstancedScene(geometry, mesh_scene);
         const float rows[12] = {m.row_x.x, m.row_x.y, m.row_x.z, m.shift.x, m.row_y.x, m.row_y.y,
                                 m.row_y.z, m.shift.y, m.row_z.x, m.row_z.y, m.row_z.z, m.shift.z};
         rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, rows);
-        rtcCommitGeometry(geometry);
-        const unsigned id = rtcAttachGeometry(tree.scene, geometry);
-        tree.objects_of_geometry.resize(std::max<std::size_t>(tree.objects_of_geometry.size(), id + 1), -1);
-        tree.objects_of_geometry[id] = static_cast<int>(i);
-        rtcReleaseGeometry(geometry);
+        attach(tree, geometry, i);
     }
 }
 
@@ -279,9 +322,8 @@ Tree::Tree(const World& world, int threads) : implementation_(std::make_unique<I
         throw MachineFailure("Embree could not start on this machine (error " + std::to_string(rtcGetDeviceError(nullptr)) + ")");
     }
     tree.scene = rtcNewScene(tree.device);
-    rtcSetSceneFlags(tree.scene, RTC_SCENE_FLAG_ROBUST);
     add_shapes(tree, world);
-    add_instances(tree, world);
+    add_meshes(tree, world);
     rtcCommitScene(tree.scene);
     check(tree.device);
 }

@@ -70,6 +70,18 @@ kernel::ColorRecord Colors::reflectance(const CompiledTexture& texture) {
     return record;
 }
 
+kernel::ColorRecord Colors::quantity(const scene::Color& color, double scale) {
+    if (color.spectrum) {
+        return curve(reflectance_curve(*color.spectrum).scaled(scale), reflected(color) * scale);
+    }
+    const SmoothLight smooth = smooth_light(color.rgb * scale);
+    kernel::ColorRecord record = no_color();
+    record.rgb = kernel::vec3(color.rgb * scale);
+    record.coefficients = kernel::vec3(smooth.shape.coefficients);
+    record.scale = static_cast<float>(smooth.scale);
+    return record;
+}
+
 kernel::ColorRecord Colors::light(const scene::Color& color, double strength) {
     if (color.spectrum) {
         return curve(means(light_curve(*color.spectrum).scaled(strength)), emitted(color) * strength);

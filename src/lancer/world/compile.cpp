@@ -8,9 +8,11 @@
 #include <glm/trigonometric.hpp>
 
 #include "lancer/kernel/spectrum.h"
+#include "lancer/scene/integrator.h"
 #include "lancer/spectrum/sensor.h"
 #include "lancer/spectrum/upsample.h"
 #include "lancer/world/bounds.h"
+#include "lancer/world/emission.h"
 #include "lancer/world/emitters.h"
 #include "lancer/world/filters.h"
 #include "lancer/world/flatten.h"
@@ -20,6 +22,8 @@
 #include "lancer/world/shapes.h"
 #include "lancer/world/sky.h"
 #include "lancer/world/spectra.h"
+#include "lancer/world/surroundings.h"
+#include "lancer/world/volumes.h"
 #include "lancer/world/wavelengths.h"
 
 namespace lancer {
@@ -83,6 +87,10 @@ void compile_physics(const scene::Scene& scene, World& world) {
                  : settings.direct_samples == scene::DirectSamples::emitter ? kernel::WAYS_EMITTER
                  : settings.direct_samples == scene::DirectSamples::bsdf    ? kernel::WAYS_BSDF
                                                                             : kernel::WAYS_BOTH;
+    world.halves = scene::chosen_integrator(scene) == "light"  ? kernel::HALF_OF_LIGHT
+                   : scene::chosen_integrator(scene) == "bdpt" ? kernel::HALVES_JOINED
+                   : scene::chosen_integrator(scene) == "vcm"  ? kernel::HALVES_MERGED
+                                                               : kernel::HALF_OF_CAMERA;
     world.seed = scene.settings.seed;
     compile_filter(scene.settings, world);
     world.spectral = !scene.settings.rgb;
@@ -122,6 +130,10 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     if (scene.settings.wavelengths < 1) {
         diagnostics.error({scene.file, 0, 0}, std::to_string(scene.settings.wavelengths) + " wavelengths: expected 1 or more");
     }
+    const std::string integrator = scene::chosen_integrator(scene);
+    for (const scene::Obstacle& obstacle : scene::obstacles(scene, integrator)) {
+        diagnostics.error(obstacle.position, "the " + integrator + " integrator can't render this: " + obstacle.what);
+    }
     world->bounces = bounces;
     world->min_weight = static_cast<float>(scene.settings.min_weight);
     world->camera = compile_camera(camera, scene.settings.width, scene.settings.height, diagnostics);
@@ -139,6 +151,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     if (physical) {
         compile_physics(scene, *world);
         compile_surfaces(scene, *world, textures, colors, diagnostics);
+        compile_volumes(scene, *world, colors, diagnostics);
         world->beam = world->textures.empty() ? 0.0f : world->beam;
     }
     const std::vector<FlatObject> flat = flatten(scene);
@@ -147,7 +160,11 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     compile_shapes(flat, *world, diagnostics);
     if (physical && !diagnostics.has_errors()) {
         compile_emitters(scene, *world, colors, diagnostics);
+        compile_emission(*world);
         compile_wavelengths(*world);
+        if (world->has_media) {
+            world->camera_bodies = bodies_around(*world, camera.position);
+        }
     }
     if (diagnostics.has_errors()) {
         return nullptr;

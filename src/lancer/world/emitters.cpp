@@ -72,11 +72,12 @@ public:
     }
 
     void add_sky() {
-        const double mean = compile_sky_shares(world_, world_.ways == kernel::WAYS_BOTH);
-        if (mean > 0.0) {
+        // Paths that start from lamps carry all of its light.
+        const SkyLight sky = compile_sky_shares(world_, world_.ways == kernel::WAYS_BOTH && world_.halves == kernel::HALF_OF_CAMERA);
+        if (sky.mean > 0.0) {
             kernel::EmitterRecord record = no_emitter();
             record.kind = kernel::EMITTER_ENVIRONMENT;
-            record.strength = static_cast<float>(std::numbers::pi * mean);
+            record.strength = static_cast<float>(std::numbers::pi * sky.asked);
             world_.environment = static_cast<int>(world_.emitters.size());
             world_.emitters.push_back(record);
         }

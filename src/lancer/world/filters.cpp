@@ -81,6 +81,11 @@ void compile_filter(const scene::RenderSettings& settings, World& world) {
     }
     const double all = so_far.back();
     world.filter.weight = static_cast<float>(all / own);
+    world.filter.radius = static_cast<float>(radius);
+    for (int i = 0; i <= kernel::FILTER_VALUES; ++i) {
+        const double value = filter_value(settings.filter, radius, radius * i / kernel::FILTER_VALUES);
+        world.filter_values.push_back(static_cast<float>(value * slices / (2.0 * radius * own)));
+    }
     std::size_t slice = 0;
     for (int step = 0; step <= kernel::FILTER_STEPS; ++step) {
         const double t = static_cast<double>(step) / kernel::FILTER_STEPS;

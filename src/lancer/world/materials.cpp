@@ -30,6 +30,10 @@ public:
                 world_.media[i] = medium_of(static_cast<int>(i), 0);
             }
         }
+        for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
+            world_.media[i].volume = -1;
+            world_.media[i].priority = scene_.materials[i].priority;
+        }
         if (disperses) {
             for (const WavelengthBand& band : wavelength_bands(scene_.settings.wavelengths)) {
                 world_.bands.push_back({static_cast<float>(band.nanometres), to_float(band.weight)});
@@ -68,8 +72,22 @@ private:
 
     void add(const scene::PrincipledMaterial& material, const SourcePosition& position) {
         kernel::MediumRecord medium{};
-        set_refraction(material.refraction, medium, position);
+        if (material.dispersion > 0.0) {
+            set_refraction(scene::AbbeGlass{material.refraction, 20.0 / material.dispersion}, medium, position);
+        } else {
+            set_refraction(material.refraction, medium, position);
+        }
         world_.has_transparency = world_.has_transparency || material.transmission.most() > 0.0;
+        world_.materials.push_back(no_material());
+        world_.media.push_back(medium);
+    }
+
+    // Nothing, as far as light is bent.
+    void add(const scene::NullMaterial&, const SourcePosition&) {
+        kernel::MediumRecord medium{};
+        medium.refraction = kernel::REFRACTION_NONE;
+        medium.refraction_a = kernel::vec3(1.0f, 0.0f, 0.0f);
+        world_.has_transparency = true;
         world_.materials.push_back(no_material());
         world_.media.push_back(medium);
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -250,10 +251,12 @@ private:
         record.flags |= append(data.colors, first_vertex, world_.colors) ? kernel::MESH_HAS_COLORS : 0;
         const auto first_triangle = static_cast<std::size_t>(record.first_triangle);
         record.flags |= append(data.face_colors, first_triangle, world_.face_colors) ? kernel::MESH_HAS_FACE_COLORS : 0;
-        world_.indices.reserve(world_.indices.size() + 3 * data.triangles.size());
+        std::size_t corner = world_.indices.size();
+        world_.indices.resize(corner + 3 * data.triangles.size());
         for (const glm::uvec3& triangle : data.triangles) {
-            world_.indices.insert(world_.indices.end(),
-                                  {static_cast<int>(triangle.x), static_cast<int>(triangle.y), static_cast<int>(triangle.z)});
+            world_.indices[corner++] = static_cast<int>(triangle.x);
+            world_.indices[corner++] = static_cast<int>(triangle.y);
+            world_.indices[corner++] = static_cast<int>(triangle.z);
         }
         const int number = static_cast<int>(world_.meshes.size());
         world_.meshes.push_back(record);
@@ -303,7 +306,33 @@ private:
 
 }  // namespace
 
+namespace {
+
+// Tables that grow mesh by mesh would be copied again and again.
+void make_room_for_meshes(const std::vector<FlatObject>& flat, World& world) {
+    std::set<std::pair<const scene::TriangleMesh*, bool>> seen;
+    std::size_t vertices = 0, normals = 0, uvs = 0, triangles = 0;
+    for (const FlatObject& object : flat) {
+        const auto* mesh = std::get_if<scene::Mesh>(&object.object->shape);
+        if (mesh == nullptr || !seen.insert({mesh->data.get(), mesh->smooth}).second) {
+            continue;
+        }
+        // Where a mesh has none of something its place is left free.
+        normals = mesh->smooth && !mesh->data->normals.empty() ? vertices + mesh->data->normals.size() : normals;
+        uvs = mesh->data->uvs.empty() ? uvs : vertices + mesh->data->uvs.size();
+        vertices += mesh->data->positions.size();
+        triangles += mesh->data->triangles.size();
+    }
+    world.positions.reserve(vertices + 1);  // see Shapes::finish
+    world.normals.reserve(normals);
+    world.uvs.reserve(uvs);
+    world.indices.reserve(3 * triangles);
+}
+
+}  // namespace
+
 void compile_shapes(const std::vector<FlatObject>& flat, World& world, Diagnostics& diagnostics) {
+    make_room_for_meshes(flat, world);
     Shapes shapes(world, diagnostics);
     for (std::size_t i = 0; i < flat.size(); ++i) {
         shapes.add(flat[i], static_cast<int>(i));

@@ -112,12 +112,17 @@ void compile_sky(const scene::Background& background, World& world, Colors& colo
     sky.nadir = colors.light(background.nadir, background.strength);
 }
 
-double compile_sky_shares(World& world, bool compensated) {
+SkyLight compile_sky_shares(World& world, bool compensated) {
     kernel::SkyRecord& sky = world.sky;
+    if (sky.kind == kernel::SKY_NONE) {
+        return {};
+    }
     if (sky.kind != kernel::SKY_IMAGE) {
-        return sky.kind == kernel::SKY_NONE
-                   ? 0.0
-                   : 0.25 * (luminance(sky.zenith.rgb) + 2.0 * luminance(sky.horizon.rgb) + luminance(sky.nadir.rgb));
+        const double zenith = luminance(sky.zenith.rgb), horizon = luminance(sky.horizon.rgb), nadir = luminance(sky.nadir.rgb);
+        const double mean = 0.25 * (zenith + 2.0 * horizon + nadir);
+        // Gradients are drawn from evenly: no better than by the materials, unless these rarely look where it is bright.
+        const bool even = std::max({zenith, horizon, nadir}) < 3.0 * mean;
+        return {mean, compensated && even ? 0.0 : mean};
     }
     double mean = 0.0;
     for (int row = 0; row < sky.height; ++row) {
@@ -143,11 +148,15 @@ double compile_sky_shares(World& world, bool compensated) {
         }
         return put_shares(rows, first, world.distributions) / static_cast<double>(width);
     };
-    // An even sky has nothing above its mean.
-    if (!compensated || !(share_out(mean) > 0.01 * mean)) {
+    double asked = compensated ? share_out(mean) : 0.0;
+    if (!compensated) {
+        asked = share_out(0.0);
+    } else if (!(asked > 0.01 * mean)) {
+        asked = 0.0;  // an even sky has nothing above its mean
         share_out(0.0);
     }
-    return mean * static_cast<double>(sky.scale);
+    const double scale = static_cast<double>(sky.scale);
+    return {mean * scale, asked * scale};
 }
 
 }  // namespace lancer

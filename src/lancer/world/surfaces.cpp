@@ -17,6 +17,8 @@ namespace {
 
 double square(double x) { return x * x; }
 
+scene::Rgb seen(const SpectralCurve& curve) { return glm::max(reflected_rgb(curve), scene::Rgb(0.0)); }
+
 class Surfaces {
 public:
     Surfaces(World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics)
@@ -152,11 +154,14 @@ private:
 
     void set(const scene::DielectricMaterial& material, kernel::MaterialRecord& record) {
         record.kind = material.thin ? kernel::BSDF_THIN_DIELECTRIC : kernel::BSDF_DIELECTRIC;
+        record.flags |= material.thin ? 0 : kernel::MATERIAL_BODY;
         record.color = colors_.reflectance(textures_.add(material.color));
         set_roughness(material.roughness, material.anisotropy, record);
         set_facets(material.facets, record);
-        set_absorption(material.absorption, record);
+        set_clearness(material.absorption, colors_, record);
     }
+
+    void set(const scene::NullMaterial&, kernel::MaterialRecord& record) { record.kind = kernel::BSDF_NULL; }
 
     void set(const scene::PlasticMaterial& material, kernel::MaterialRecord& record) {
         record.kind = kernel::BSDF_PLASTIC;
@@ -185,7 +190,9 @@ private:
         record.film_thickness = take(material.film, kernel::INPUT_FILM);
         record.film_index = static_cast<float>(material.film_refraction);
         record.flags |= material.thin ? kernel::MATERIAL_THIN : 0;
-        set_absorption(material.absorption, record);
+        const bool clear = material.transmission.number >= 1.0 && !material.transmission.texture && !(material.metalness.most() > 0.0);
+        record.flags |= clear && !material.thin ? kernel::MATERIAL_BODY : 0;
+        set_clearness(material.absorption, colors_, record);
     }
 
     void set(const scene::BurleyMaterial& material, kernel::MaterialRecord& record) {
@@ -204,7 +211,8 @@ private:
         record.specular_tint = static_cast<float>(material.specular_tint);
         record.flatness = static_cast<float>(material.flatness);
         record.brightness = static_cast<float>(glm::dot(reflected(color.color), scene::Rgb(0.2126, 0.7152, 0.0722)));
-        record.flags |= material.thin ? kernel::MATERIAL_THIN : 0;
+        const bool clear = material.transmission.number >= 1.0 && !material.transmission.texture && !(material.metalness.most() > 0.0);
+        record.flags |= material.thin ? kernel::MATERIAL_THIN : clear ? kernel::MATERIAL_BODY : 0;
     }
 
     void set(const scene::MixMaterial& material, kernel::MaterialRecord& record) {
@@ -245,7 +253,7 @@ private:
             record.height_input = refer(*relief.heights, kernel::INPUT_HEIGHT);
         }
         if (record.normal_map > 0 || record.height_input > 0) {
-            record.flags |= kernel::MATERIAL_RELIEF | kernel::MATERIAL_MAPPED;
+            record.flags |= kernel::MATERIAL_RELIEF | kernel::MATERIAL_MAPPED | (relief.shadows ? kernel::MATERIAL_HILLS : 0);
         }
     }
 
@@ -256,23 +264,6 @@ private:
         }
         take(value, kind);
         return static_cast<int>(world_.inputs.size());
-    }
-
-    void set_absorption(const scene::Color& absorption, kernel::MaterialRecord& record) {
-        const scene::Rgb& rgb = absorption.rgb;
-        const SpectralCurve curve = absorption.spectrum ? reflectance_curve(*absorption.spectrum) : SpectralCurve(0.0);
-        const std::vector<double> visible = curve.on(fine_grid);
-        const double most = absorption.spectrum ? *std::max_element(visible.begin(), visible.end()) : std::max({rgb.x, rgb.y, rgb.z});
-        if (most > 0.0) {
-            // The depth at which the strongest colour has faded to 1/e: neither 0 nor 1, which no spectrum could tell from their neighbours.
-            record.clear_distance = static_cast<float>(1.0 / most);
-            if (absorption.spectrum) {
-                const SpectralCurve left = clearness(curve, 1.0 / most);
-                record.clearness = colors_.curve(left, seen(left));
-            } else {
-                record.clearness = colors_.reflectance(scene::Rgb(glm::exp(-rgb / most)));
-            }
-        }
     }
 
     // The number of a material, which stands in its record; where a texture gives it, `otherwise`, and the texture among the inputs.
@@ -346,8 +337,6 @@ private:
         }
     }
 
-    static scene::Rgb seen(const SpectralCurve& curve) { return glm::max(reflected_rgb(curve), scene::Rgb(0.0)); }
-
     World& world_;
     Textures& textures_;
     Colors& colors_;
@@ -357,6 +346,23 @@ private:
 };
 
 }  // namespace
+
+void set_clearness(const scene::Color& absorption, Colors& colors, kernel::MaterialRecord& record) {
+    const scene::Rgb& rgb = absorption.rgb;
+    const SpectralCurve curve = absorption.spectrum ? reflectance_curve(*absorption.spectrum) : SpectralCurve(0.0);
+    const std::vector<double> visible = curve.on(fine_grid);
+    const double most = absorption.spectrum ? *std::max_element(visible.begin(), visible.end()) : std::max({rgb.x, rgb.y, rgb.z});
+    if (most > 0.0) {
+        // The depth at which the strongest colour has faded to 1/e: neither 0 nor 1, which no spectrum could tell from their neighbours.
+        record.clear_distance = static_cast<float>(1.0 / most);
+        if (absorption.spectrum) {
+            const SpectralCurve left = clearness(curve, 1.0 / most);
+            record.clearness = colors.curve(left, seen(left));
+        } else {
+            record.clearness = colors.reflectance(scene::Rgb(glm::exp(-rgb / most)));
+        }
+    }
+}
 
 void compile_surfaces(const scene::Scene& scene, World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics) {
     Surfaces surfaces(world, textures, colors, diagnostics);

@@ -17,6 +17,8 @@ public:
     kernel::ColorRecord constant(double value);
     kernel::ColorRecord reflectance(const scene::Color& color);
     kernel::ColorRecord reflectance(const CompiledTexture& texture);
+    // A quantity of any size that is no light, such as an extinction in 1/m.
+    kernel::ColorRecord quantity(const scene::Color& color, double scale = 1.0);
     kernel::ColorRecord light(const scene::Color& color, double strength = 1.0);
     kernel::ColorRecord light(const CompiledTexture& texture, double strength);
     // `rgb` stands for the curve where paths carry RGB.
@@ -29,6 +31,9 @@ private:
     World& world_;
     int daylight_ = -1;  // D65, once it is needed
 };
+
+// What is left of light in a body that absorbs so much, in 1/m.
+void set_clearness(const scene::Color& absorption, Colors& colors, kernel::MaterialRecord& record);
 
 // Fills world.surfaces, one for each of scene.materials, which must all follow physics.
 void compile_surfaces(const scene::Scene& scene, World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics);

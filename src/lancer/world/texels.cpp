@@ -21,14 +21,28 @@ public:
             middles_[static_cast<std::size_t>(i)] =
                 0.5f * (srgb_decode(static_cast<float>(i) / 255.0f) + srgb_decode(static_cast<float>(i + 1) / 255.0f));
         }
+        middles_.back() = std::numeric_limits<float>::infinity();
+        std::size_t byte = 0;
+        for (std::size_t i = 0; i < steps; ++i) {
+            while (middles_[byte] <= static_cast<float>(i) / steps) {
+                ++byte;
+            }
+            first_[i] = static_cast<std::uint8_t>(byte);
+        }
     }
 
     std::uint32_t encode(float linear) const {
-        return static_cast<std::uint32_t>(std::upper_bound(middles_.begin(), middles_.end(), linear) - middles_.begin());
+        std::size_t byte = first_[static_cast<std::size_t>(std::clamp(linear * steps, 0.0f, steps - 1.0f))];
+        while (middles_[byte] <= linear) {
+            ++byte;
+        }
+        return static_cast<std::uint32_t>(byte);
     }
 
 private:
-    std::array<float, 255> middles_{};
+    static constexpr int steps = 4096;  // hardly more than one byte begins in each
+    std::array<float, 256> middles_{};
+    std::array<std::uint8_t, steps> first_{};
 };
 
 std::uint32_t to_byte(float value) { return static_cast<std::uint32_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f); }

@@ -1,8 +1,12 @@
 #include "lancer/world/wavelengths.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
+#include <numeric>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -54,18 +58,29 @@ Curve light_of(const World& world) {
             sum[i] += curve[i] * strength / luminance;
         }
     };
+    // Weighed by all of its light, where the strength is that of what is worth asking for; an image is all under the light of the horizon.
+    const auto add_sky = [&](double strength) {
+        if (world.sky.kind == kernel::SKY_IMAGE) {
+            add(world.sky.horizon, strength > 0.0 ? strength : 1.0);
+            return;
+        }
+        const bool gradient = world.sky.kind == kernel::SKY_GRADIENT;
+        const auto part = [&](const kernel::ColorRecord& color, double share) {
+            add(color, std::numbers::pi * share * luminance_of(world, curve_of(world, color)));
+        };
+        part(world.sky.horizon, gradient ? 0.5 : 1.0);
+        if (gradient) {
+            part(world.sky.zenith, 0.25);
+            part(world.sky.nadir, 0.25);
+        }
+    };
     std::map<int, double> lamps;  // by material
     for (const kernel::EmitterRecord& emitter : world.emitters) {
         const auto strength = static_cast<double>(emitter.strength);
         if (emitter.material >= 0) {
             lamps[emitter.material] += strength;
         } else if (emitter.kind == kernel::EMITTER_ENVIRONMENT) {
-            const bool gradient = world.sky.kind == kernel::SKY_GRADIENT;  // else all is under the light of the horizon
-            add(world.sky.horizon, strength * (gradient ? 0.5 : 1.0));
-            if (gradient) {
-                add(world.sky.zenith, strength * 0.25);
-                add(world.sky.nadir, strength * 0.25);
-            }
+            add_sky(strength);
         } else {
             add(emitter.light, strength);
         }
@@ -89,89 +104,116 @@ Curve daylight() {
     return curve;
 }
 
-// What the eye sees of it; green counts less than its part, for red and blue share most of its wavelengths.
-Curve seen_of(const Curve& light, const World& world) {
+// What the eye sees of it, the channels weighed.
+Curve seen_of(const Curve& light, const glm::dvec3& weights, const World& world) {
     Curve seen(count);
     for (std::size_t i = 0; i < count; ++i) {
-        seen[i] = light[i] * glm::dot(glm::abs(glm::dvec3(world.observer[i])), glm::dvec3(1.0, 0.75, 1.0));
+        seen[i] = light[i] * glm::dot(glm::abs(glm::dvec3(world.observer[i])), weights);
     }
     return seen;
 }
 
 // A Gaussian of that standard deviation in nanometres.
 Curve smoothed(const Curve& curve, double width) {
-    Curve result(count, 0.0);
     const int reach = static_cast<int>(3.0 * width);
+    Curve shape(static_cast<std::size_t>(reach) + 1);
+    for (int i = 0; i <= reach; ++i) {
+        shape[static_cast<std::size_t>(i)] = std::exp(-0.5 * i * i / (width * width));
+    }
+    Curve result(count, 0.0);
     for (int i = 0; i < static_cast<int>(count); ++i) {
         for (int j = std::max(0, i - reach); j <= std::min(static_cast<int>(count) - 1, i + reach); ++j) {
-            result[static_cast<std::size_t>(i)] +=
-                curve[static_cast<std::size_t>(j)] * std::exp(-0.5 * (i - j) * (i - j) / (width * width));
+            result[static_cast<std::size_t>(i)] += curve[static_cast<std::size_t>(j)] * shape[static_cast<std::size_t>(std::abs(i - j))];
         }
     }
     return result;
 }
 
-// Each nanometre gets one slot, and of the others a share in proportion.
-void set_density(const Curve& wanted, World& world) {
-    double sum = 0.0;
-    for (const double w : wanted) {
-        sum += w;
+// The share of the random number that falls to each nanometre: at least one slot, and of the others in proportion.
+Curve shares_of(const Curve& wanted) {
+    const double sum = std::accumulate(wanted.begin(), wanted.end(), 0.0);
+    Curve shares(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        // A little more than a slot, so that rounding does not make it less.
+        shares[i] = (wanted[i] / sum * (slots - 1.01 * count) + 1.01) / slots;
     }
-    world.wavelength_places.clear();
+    return shares;
+}
+
+// Of the mean of four answers, a quarter of the random number apart.
+double variance_of(const Curve& shares, const Curve& light, const World& world) {
+    constexpr std::size_t steps = 1024;  // within a quarter
+    std::array<glm::dvec3, steps> four{};
+    std::size_t entry = 0;
+    double edge = shares[0];
+    for (std::size_t i = 0; i < 4 * steps; ++i) {
+        const double u = (static_cast<double>(i) + 0.5) / (4.0 * steps);
+        while (u >= edge && entry + 1 < count) {
+            edge += shares[++entry];
+        }
+        four[i % steps] += glm::dvec3(world.observer[entry]) * (light[entry] / shares[entry] * 0.25);
+    }
+    glm::dvec3 sum(0.0), squares(0.0);
+    for (const glm::dvec3& answer : four) {
+        sum += answer;
+        squares += answer * answer;
+    }
+    const glm::dvec3 variance = squares / static_cast<double>(steps) - sum * sum / static_cast<double>(steps * steps);
+    return variance.x + variance.y + variance.z;
+}
+
+void set_density(const Curve& shares, World& world) {
+    world.wavelength_edges.assign(1, 0.0f);
     world.wavelength_densities.clear();
     double so_far = 0.0;
-    double edge = 0.0;  // of the slots to be shared out
     for (std::size_t i = 0; i < count; ++i) {
-        so_far += wanted[i];
-        const double next =
-            i + 1 == count ? static_cast<double>(slots - count) : std::round(so_far / sum * static_cast<double>(slots - count));
-        const auto mine = static_cast<std::size_t>(next - edge) + 1;
-        edge = next;
-        world.wavelength_densities.push_back(static_cast<float>(static_cast<double>(mine) / static_cast<double>(slots)));
-        for (std::size_t j = 0; j < mine; ++j) {
-            world.wavelength_places.push_back(static_cast<float>(nanometre(i) - 0.5 + static_cast<double>(j) / static_cast<double>(mine)));
-        }
+        so_far += shares[i];
+        const float edge = i + 1 == count ? 1.0f : static_cast<float>(so_far);
+        world.wavelength_densities.push_back(edge - world.wavelength_edges.back());
+        world.wavelength_edges.push_back(edge);
     }
-    world.wavelength_places.push_back(kernel::LAST_WAVELENGTH + 0.5f);
+    world.wavelength_slots.clear();
+    int entry = 0;
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+        while (world.wavelength_edges[static_cast<std::size_t>(entry) + 1] <= static_cast<float>(slot) / static_cast<float>(slots)) {
+            ++entry;
+        }
+        world.wavelength_slots.push_back(entry);
+    }
+    world.wavelength_edges.push_back(2.0f);  // read beside the last one
 }
 
 }  // namespace
 
 double wavelength_variance(const World& world, const std::vector<double>& light) {
-    std::vector<glm::dvec3> answer;  // of one wavelength in each slot
-    for (std::size_t i = 0; i < count; ++i) {
-        const double density = static_cast<double>(world.wavelength_densities[i]);
-        const auto mine = static_cast<std::size_t>(std::lround(density * static_cast<double>(slots)));
-        answer.insert(answer.end(), mine, glm::dvec3(world.observer[i]) * (light[i] / density));
-    }
-    glm::dvec3 sum(0.0), squares(0.0);
-    const std::size_t quarter = slots / 4;
-    for (std::size_t i = 0; i < quarter; ++i) {
-        const glm::dvec3 four = (answer[i] + answer[i + quarter] + answer[i + 2 * quarter] + answer[i + 3 * quarter]) * 0.25;
-        sum += four;
-        squares += four * four;
-    }
-    const glm::dvec3 mean = sum / static_cast<double>(quarter);
-    const glm::dvec3 variance = squares / static_cast<double>(quarter) - mean * mean;
-    return variance.x + variance.y + variance.z;
+    return variance_of(Curve(world.wavelength_densities.begin(), world.wavelength_densities.end()), light, world);
 }
 
 void compile_wavelengths(World& world) {
     if (!world.spectral) {
         return;
     }
-    const Curve light = light_of(world);
-    // A smooth density suits smooth light better, a sharp one the lines of fluorescent lamps; that of daylight, light with little blue.
+    const Curve light = light_of(world), white = daylight();
+    const double scale = luminance_of(world, white) / luminance_of(world, light);
+    // A smooth density suits smooth light better, a sharp one the lines of fluorescent lamps; one with some of daylight's, light with little blue.
     Curve best;
     double least = 0.0;
-    for (const Curve& seen : {seen_of(light, world), seen_of(daylight(), world)}) {
-        for (const double width : {0.0, 8.0, 20.0}) {
-            const Curve wanted = width > 0.0 ? smoothed(seen, width) : seen;
-            set_density(wanted, world);
-            const double variance = wavelength_variance(world, light);
-            if (best.empty() || variance < least) {
-                least = variance;
-                best = wanted;
+    for (const double own : {1.0, 0.75, 0.5, 0.25, 0.0}) {
+        Curve between(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            between[i] = own * scale * light[i] + (1.0 - own) * white[i];
+        }
+        // Green counts less than its part, for red and blue share most of its wavelengths.
+        for (const glm::dvec3& weights :
+             {glm::dvec3(1.0, 0.75, 1.0), glm::dvec3(1.0, 0.5, 1.0), glm::dvec3(1.0), glm::dvec3(1.0, 0.75, 1.3)}) {
+            const Curve seen = seen_of(between, weights, world);
+            for (const double width : {0.0, 8.0, 14.0, 20.0, 30.0}) {
+                Curve shares = shares_of(width > 0.0 ? smoothed(seen, width) : seen);
+                const double variance = variance_of(shares, light, world);
+                if (best.empty() || variance < least) {
+                    least = variance;
+                    best = std::move(shares);
+                }
             }
         }
     }

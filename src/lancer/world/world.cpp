@@ -42,6 +42,9 @@ kernel::WorldRecord World::record() const {
     r.materials = materials.data();
     r.media = media.data();
     r.surfaces = surfaces.data();
+    r.volumes = volumes.data();
+    r.grids = grids.data();
+    r.voxels = voxels.data();
     r.emitters = emitters.data();
     r.distributions = distributions.data();
     r.curves = curves.data();
@@ -49,10 +52,13 @@ kernel::WorldRecord World::record() const {
     r.albedo = microfacet_albedo_table().data();
     r.filter_places = filter_places.data();
     r.observer = observer.data();
-    r.wavelength_places = wavelength_places.data();
+    r.wavelength_slots = wavelength_slots.data();
+    r.wavelength_edges = wavelength_edges.data();
     r.wavelength_densities = wavelength_densities.data();
     r.lights = lights.data();
     r.bands = bands.data();
+    r.filter_values = filter_values.data();
+    r.light_vertices = nullptr;
     r.tree = nullptr;
     r.bound_x = bound_x.data();
     r.bound_y = bound_y.data();
@@ -70,10 +76,14 @@ kernel::WorldRecord World::record() const {
     r.emitter_count = static_cast<int>(emitters.size());
     r.chosen_by_strength = chosen_by_strength ? 1 : 0;
     r.environment = environment;
+    r.first_emission = first_emission;
+    r.scene_middle = scene_middle;
+    r.scene_radius = scene_radius;
     r.spectral = spectral ? 1 : 0;
     r.max_depth = max_depth;
     r.limits = limits;
     r.ways = ways;
+    r.halves = halves;
     r.filter_record = filter;
     r.seed = seed;
     r.sky = sky;
@@ -84,6 +94,13 @@ kernel::WorldRecord World::record() const {
     r.has_cuts = has_cuts ? 1 : 0;
     r.has_directions = has_directions ? 1 : 0;
     r.has_transparency = has_transparency ? 1 : 0;
+    r.has_media = has_media ? 1 : 0;
+    r.has_priorities = has_priorities ? 1 : 0;
+    r.surrounding_volume = surrounding_volume;
+    r.camera_first = camera_bodies[0];
+    r.camera_second = camera_bodies[1];
+    r.camera_third = camera_bodies[2];
+    r.camera_fourth = camera_bodies[3];
     r.ambient = ambient;
     r.camera = camera;
     return r;
@@ -94,7 +111,7 @@ std::size_t World::memory() const {
            bytes(objects) + bytes(positions) + bytes(normals) + bytes(uvs) + bytes(indices) + bytes(textures) + bytes(texels) +
            bytes(float_texels) + bytes(sky_texels) + bytes(second_uvs) + bytes(tangents) + bytes(colors) + bytes(face_colors) +
            bytes(levels) + bytes(inputs) + bytes(materials) + bytes(media) + bytes(surfaces) + bytes(emitters) + bytes(distributions) +
-           bytes(curves) + bytes(observer) + bytes(lights) + bytes(bands);
+           bytes(curves) + bytes(observer) + bytes(lights) + bytes(bands) + bytes(volumes) + bytes(grids) + bytes(voxels);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 // The immutable flat tables that the kernel reads. compile.h makes them from a scene.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -45,12 +46,17 @@ public:
     std::vector<kernel::WhittedRecord> materials;
     std::vector<kernel::MediumRecord> media;       // of materials[i]
     std::vector<kernel::MaterialRecord> surfaces;  // of materials[i]
+    std::vector<kernel::VolumeRecord> volumes;
+    std::vector<kernel::GridRecord> grids;
+    std::vector<float> voxels;
     std::vector<kernel::EmitterRecord> emitters;
     std::vector<float> distributions;
     std::vector<float> curves;
     std::vector<float> filter_places;
+    std::vector<float> filter_values;
     std::vector<kernel::vec3> observer;
-    std::vector<float> wavelength_places;
+    std::vector<int> wavelength_slots;
+    std::vector<float> wavelength_edges;
     std::vector<float> wavelength_densities;
     std::vector<kernel::LightRecord> lights;
     std::vector<kernel::BandRecord> bands;
@@ -77,9 +83,13 @@ public:
     bool spectral = false;
     bool chosen_by_strength = false;
     int environment = -1;
+    int first_emission = 0;
+    kernel::vec3 scene_middle{0.0f};
+    float scene_radius = 0.0f;
     int max_depth = 0;
     kernel::PathLimits limits{};
     int ways = kernel::WAYS_BOTH;
+    int halves = kernel::HALF_OF_CAMERA;
     int seed = 0;
     int bounces = 0;
     float min_weight = 0.0f;
@@ -88,6 +98,10 @@ public:
     bool has_cuts = false;
     bool has_directions = false;
     bool has_transparency = false;
+    bool has_media = false;
+    bool has_priorities = false;
+    int surrounding_volume = -1;
+    std::array<int, 4> camera_bodies{-1, -1, -1, -1};  // materials of the bodies that the camera is in, as kernel::Media has them
 
     // All of it by address, as the kernel takes it.
     kernel::WorldRecord record() const;

@@ -28,7 +28,9 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
         ->group("Picture");
     add_choice(app, "--view", arguments.view, view_names(), "How PNG, JPEG and the window show what is too bright for a display")
         ->group("Picture");
-    add_choice(app, "--integrator", arguments.integrator, {"auto", "whitted", "path", "direct"}, "How light is followed")->group("Light");
+    add_choice(app, "--integrator", arguments.integrator, {"auto", "whitted", "path", "direct", "light", "bdpt", "vcm"},
+               "How light is followed")
+        ->group("Light");
     add_whole(app, "--bounces", arguments.bounces, 0, max_path_bounces, "How often light goes on after the first hit, at most")
         ->group("Light");
     add_whole(app, "--diffuse-bounces", arguments.diffuse_bounces, 0, max_path_bounces, "How many of them off matt surfaces (path)")

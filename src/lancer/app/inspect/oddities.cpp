@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "lancer/app/inspect/media_oddities.h"
 #include "lancer/app/inspect/mesh_facts.h"
 #include "lancer/scene/bounds.h"
 #include "lancer/world/flatten.h"
@@ -72,7 +73,7 @@ private:
         if (const auto* whitted = std::get_if<scene::WhittedMaterial>(&material.model)) {
             return whitted->transparency > 0.0;
         }
-        return false;
+        return std::holds_alternative<scene::NullMaterial>(material.model);
     }
 
     const MeshFacts& facts(const scene::TriangleMesh& mesh) {
@@ -95,9 +96,8 @@ private:
         if (facts.closed && facts.volume < 0.0) {
             diagnostics_.warning(flat.object->position, fmt::format("the faces of {} point inwards", name_of(*flat.object)));
         } else if (!facts.closed && is_clear(material_of(flat))) {
-            diagnostics_.warning(
-                flat.object->position,
-                fmt::format("{} is a body of glass with holes: light that enters may never leave it", name_of(*flat.object)));
+            diagnostics_.warning(flat.object->position,
+                                 fmt::format("{} is a clear body with holes: light that enters may never leave it", name_of(*flat.object)));
         }
     }
 
@@ -205,6 +205,9 @@ private:
 
 }  // namespace
 
-void find_oddities(const scene::Scene& scene, Diagnostics& diagnostics) { Oddities(scene, diagnostics).find(); }
+void find_oddities(const scene::Scene& scene, Diagnostics& diagnostics) {
+    Oddities(scene, diagnostics).find();
+    find_media_oddities(scene, diagnostics);
+}
 
 }  // namespace lancer::app

@@ -8,6 +8,7 @@
 
 #include "lancer/base/failure.h"
 #include "lancer/device/cpu/follow.h"
+#include "lancer/device/cpu/photon_map.h"
 #include "lancer/trace/tree.h"
 
 namespace lancer {
@@ -34,6 +35,11 @@ public:
             tree_.emplace(*world_, options.threads);
             record_.tree = tree_->address();
         }
+        if (record_.halves == kernel::HALVES_MERGED) {
+            photons_.emplace(
+                kernel::PHOTON_PATHS, [this](int sample) { return variant_.photon_radius(record_, sample); },
+                [this](int sample, int first, int count) { return variant_.photons(record_, sample, first, count); });
+        }
     }
 
     int lanes() const override { return variant_.lanes; }
@@ -49,8 +55,14 @@ public:
 
     void trace_paths(const PathRange& range, const PathSamples& samples, RayCounts& counts) const override {
         const FlushDenormals flush;
-        variant_.paths(record_, range, samples, counts);
+        if (makes_splats() && samples.splats != nullptr) {
+            variant_.both_ends(record_, range, photons_ ? &*photons_ : nullptr, samples, counts);
+        } else {
+            variant_.paths(record_, range, samples, counts);
+        }
     }
+
+    bool makes_splats() const override { return record_.halves != kernel::HALF_OF_CAMERA; }
 
     PathFault find_fault(int x, int y, int sample) const override {
         const FlushDenormals flush;
@@ -62,6 +74,7 @@ private:
     const CpuVariant& variant_;
     kernel::WorldRecord record_;
     std::optional<Tree> tree_;
+    mutable std::optional<PhotonMaps> photons_;  // a cache: what it holds is a function of the world
 };
 
 }  // namespace

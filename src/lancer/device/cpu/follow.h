@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -20,12 +21,25 @@ using TracePathsFunction = void (*)(const kernel::WorldRecord& world, const Path
                                     RayCounts& counts);
 using FindFaultFunction = PathFault (*)(const kernel::WorldRecord& world, int x, int y, int sample);
 
+// `maps`: null where no photons are merged.
+class PhotonMaps;
+struct PhotonRecord;
+using TraceBothEndsFunction = void (*)(const kernel::WorldRecord& world, const PathRange& range, PhotonMaps* maps,
+                                       const PathSamples& samples, RayCounts& counts);
+
+// Photons of the paths of one sample, from `first` on; and the radius that they are gathered from.
+using TracePhotonsFunction = std::vector<PhotonRecord> (*)(const kernel::WorldRecord& world, int sample, int first, int count);
+using PhotonRadiusFunction = float (*)(const kernel::WorldRecord& world, int sample);
+
 struct CpuVariant {
     const char* name;
     int lanes;
     FollowFunction whitted;
     TracePathsFunction paths;
     FindFaultFunction fault;
+    TraceBothEndsFunction both_ends;  // where the world's integrator follows light from the lamps; splats must be asked for
+    TracePhotonsFunction photons;
+    PhotonRadiusFunction photon_radius;
 };
 
 // The best variant that this processor runs; `lanes` other than 0 asks for one with so many. Null where that one can't run here.

@@ -1,7 +1,8 @@
 // Compiled once for each instruction set: the path integrator on as many paths as a register holds.
 //
 // Paths are followed in batches, vertex by vertex: all first vertices of a batch, then all second ones, and so on. After each vertex the paths that
-// go on are moved together, so that registers stay full to the end, and neighbours stay neighbours as long as they can.
+// go on are moved together, so that registers stay full to the end. Those that go the same way are taken together: trees are descended, and objects
+// that no ray of a register can meet are thrown out, the better the more the rays have in common. What a path finds does not depend on that.
 #include <cstddef>
 #include <limits>
 
@@ -45,15 +46,50 @@ FN std::size_t put_path(const PathState& path, const UInt& slots, unsigned alive
     return place + static_cast<std::size_t>(__builtin_popcount(alive));
 }
 
-FN PathState take_path(const PathBatch& batch, std::size_t place, Mask alive) {
+FN UInt take_row(const std::uint32_t* row, const UInt& places) {
+#if defined(__AVX512F__)
+    return _mm512_i32gather_epi32(places, row, 4);
+#else
+    alignas(64) std::uint32_t at[LANES];
+    alignas(64) std::uint32_t values[LANES];
+    places.store_aligned(at);
+    for (int lane = 0; lane < LANES; ++lane) {
+        values[lane] = row[at[lane]];
+    }
+    return UInt::load_aligned(values);
+#endif
+}
+
+FN PathState take_path(const PathBatch& batch, const UInt& places, Mask alive) {
     UInt rows[PATH_ROWS];
     for (std::size_t i = 0; i < PATH_ROWS; ++i) {
-        rows[i] = UInt::load_unaligned(batch.rows[i] + place);
+        rows[i] = take_row(batch.rows[i], places);
     }
     PathState path;
     std::memcpy(&path, rows, sizeof(rows));
     path.alive = alive;
     return path;
+}
+
+// The places of the paths by the octant of their direction; within it as they stand.
+FN void order_by_direction(const PathBatch& batch, std::size_t count, std::uint32_t* places) {
+    constexpr std::size_t direction = offsetof(PathState, direction) / sizeof(Float);
+    const auto octant = [&](std::size_t i) {
+        return batch.rows[direction][i] >> 31 | (batch.rows[direction + 1][i] >> 31) << 1 | (batch.rows[direction + 2][i] >> 31) << 2;
+    };
+    std::uint32_t next[9] = {};
+    for (std::size_t i = 0; i < count; ++i) {
+        ++next[octant(i) + 1];
+    }
+    for (int k = 1; k < 8; ++k) {
+        next[k] += next[k - 1];
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        places[next[octant(i)]++] = static_cast<std::uint32_t>(i);
+    }
+    for (std::size_t i = 0; i < LANES; ++i) {
+        places[count + i] = 0;
+    }
 }
 
 // The lanes of a vector, to be handed over one by one.
@@ -168,7 +204,7 @@ struct PathWork {
     const kernel::WorldRecord& world;
     kernel::WorldRecord watched;  // the same, whose steps tell what they meet
     const PathSamples& samples;
-    PathBatch& batch;
+    PathBatch* batch;  // where those that go on are put
 };
 
 // One vertex of the paths in a register; those that end give what they have found, the others go to `place`.
@@ -197,7 +233,7 @@ FN std::size_t follow_vertex(PathWork& work, int depth, PathState& path, const U
         const Spectrum light = depth == 0 ? path.radiance : sight.met;
         put_colors(light_in_pixel(work.world, path, light, before), slots, before, work.samples.direct.data());
     }
-    return put_path(path, slots, mask_bits(path.alive), place, work.batch);
+    return put_path(path, slots, mask_bits(path.alive), place, *work.batch);
 }
 
 FN kernel::WorldRecord watched(const kernel::WorldRecord& world) {
@@ -211,14 +247,16 @@ FN kernel::WorldRecord watched(const kernel::WorldRecord& world) {
 
 void LANCER_TRACE(const kernel::WorldRecord& world, const PathRange& range, const PathSamples& samples_asked, RayCounts& counts) {
     RayTally tally{0, 0, 0};
-    PathBatch batch;  // on the stack, a sixth of a megabyte; filled as far as it is read
-    PathWork work{world, watched(world), samples_asked, batch};
+    PathBatch batches[2];  // on the stack, a third of a megabyte; filled as far as they are read
+    std::uint32_t places[BATCH + LANES];
+    PathWork work{world, watched(world), samples_asked, &batches[0]};
     const std::size_t width = static_cast<std::size_t>(range.x1 - range.x0);
     const std::size_t samples = static_cast<std::size_t>(range.sample_count);
     const std::size_t all = range.paths();
     for (std::size_t begin = 0; begin < all; begin += BATCH) {
         const std::size_t end = all - begin < BATCH ? all : begin + BATCH;
         std::size_t going = 0;
+        work.batch = &batches[0];
         for (std::size_t first = begin; first < end; first += LANES) {
             const std::size_t here = end - first < LANES ? end - first : LANES;
             alignas(64) float x[LANES];
@@ -243,10 +281,14 @@ void LANCER_TRACE(const kernel::WorldRecord& world, const PathRange& range, cons
             going = follow_vertex(work, 0, path, UInt::load_aligned(slot), going, tally);
         }
         for (int depth = 1; going > 0; ++depth) {
+            const PathBatch& batch = *work.batch;
+            work.batch = &batch == &batches[0] ? &batches[1] : &batches[0];
+            order_by_direction(batch, going, places);
             std::size_t kept = 0;
             for (std::size_t first = 0; first < going; first += LANES) {
-                const UInt slots = UInt::load_unaligned(batch.slots + first);
-                PathState path = take_path(batch, first, first_lanes(going - first));
+                const UInt here = UInt::load_unaligned(places + first);
+                const UInt slots = take_row(batch.slots, here);
+                PathState path = take_path(batch, here, first_lanes(going - first));
                 kept = follow_vertex(work, depth, path, slots, kept, tally);
             }
             going = kept;

@@ -1,12 +1,16 @@
 #include "lancer/device/cpu/follow.h"
+#include "lancer/device/cpu/photon_map.h"
 
 namespace lancer {
 
-#define LANCER_DECLARE(isa)                                                                                           \
-    namespace kernel_##isa {                                                                                          \
-        void follow_whitted_##isa(const kernel::WorldRecord&, const glm::vec2*, glm::vec3*, std::size_t, RayCounts&); \
-        void trace_paths_##isa(const kernel::WorldRecord&, const PathRange&, const PathSamples&, RayCounts&);         \
-        PathFault find_fault_##isa(const kernel::WorldRecord&, int, int, int);                                        \
+#define LANCER_DECLARE(isa)                                                                                                        \
+    namespace kernel_##isa {                                                                                                       \
+        void follow_whitted_##isa(const kernel::WorldRecord&, const glm::vec2*, glm::vec3*, std::size_t, RayCounts&);              \
+        void trace_paths_##isa(const kernel::WorldRecord&, const PathRange&, const PathSamples&, RayCounts&);                      \
+        PathFault find_fault_##isa(const kernel::WorldRecord&, int, int, int);                                                     \
+        void trace_bidirectional_##isa(const kernel::WorldRecord&, const PathRange&, PhotonMaps*, const PathSamples&, RayCounts&); \
+        std::vector<PhotonRecord> trace_photons_##isa(const kernel::WorldRecord&, int, int, int);                                  \
+        float photon_radius_##isa(const kernel::WorldRecord&, int);                                                                \
     }
 LANCER_DECLARE(sse4_2)
 LANCER_DECLARE(avx2)
@@ -14,8 +18,11 @@ LANCER_DECLARE(avx512f)
 #undef LANCER_DECLARE
 
 const CpuVariant* find_cpu_variant(int lanes) {
-#define LANCER_VARIANT(name, lanes, isa) \
-    { name, lanes, kernel_##isa::follow_whitted_##isa, kernel_##isa::trace_paths_##isa, kernel_##isa::find_fault_##isa }
+#define LANCER_VARIANT(name, lanes, isa)                                                                                  \
+    {                                                                                                                     \
+        name, lanes, kernel_##isa::follow_whitted_##isa, kernel_##isa::trace_paths_##isa, kernel_##isa::find_fault_##isa, \
+            kernel_##isa::trace_bidirectional_##isa, kernel_##isa::trace_photons_##isa, kernel_##isa::photon_radius_##isa \
+    }
     static constexpr CpuVariant avx512 = LANCER_VARIANT("AVX-512", 16, avx512f);
     static constexpr CpuVariant avx2 = LANCER_VARIANT("AVX2", 8, avx2);
     static constexpr CpuVariant sse4 = LANCER_VARIANT("SSE4.2", 4, sse4_2);

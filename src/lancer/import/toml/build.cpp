@@ -9,6 +9,7 @@
 #include "lancer/import/toml/groups.h"
 #include "lancer/import/toml/lights.h"
 #include "lancer/import/toml/materials.h"
+#include "lancer/import/toml/media.h"
 #include "lancer/import/toml/settings.h"
 #include "lancer/scene/bounds.h"
 
@@ -102,6 +103,7 @@ void build(Context& context, const toml::table& root) {
     complain_about_unknown_sections(messages, root);
     Materials materials(context);
     materials.read_names(root);
+    read_media(context, root);
     const std::vector<Included> included = read_includes(context, materials, root);
     take_settings(scene, included);
     read_cameras(context, root);
@@ -115,6 +117,7 @@ void build(Context& context, const toml::table& root) {
     }
 
     materials.warn_about_unused();
+    warn_about_unused_media(context);
     const bool is_part = context.import.options.is_part;
     if (!is_part && !shows_something(scene)) {
         messages.error(whole_file,
@@ -127,11 +130,14 @@ void build(Context& context, const toml::table& root) {
     }
     check_reach(messages, scene.objects, scene.placements, groups);
     const bool shines = std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return m.emission.has_value(); });
+    const bool glows = std::any_of(scene.media.begin(), scene.media.end(),
+                                   [](const scene::Medium& m) { return m.emission.spectrum || m.emission.rgb != scene::Rgb(0.0); });
     const bool has_surroundings =
         std::any_of(included.begin(), included.end(), [](const Included& i) { return i.background || i.ambient; });
-    if (!is_part && scene.lights.empty() && !shines && !has_surroundings && !root.contains("background") && !root.contains("ambient")) {
+    if (!is_part && scene.lights.empty() && !shines && !glows && !has_surroundings && !root.contains("background") &&
+        !root.contains("ambient")) {
         messages.error(whole_file,
-                       "the scene is dark: it needs a [[light]], a material with `emission`, a [background] or `ambient` light");
+                       "the scene is dark: it needs a [[light]], a material or medium with `emission`, a [background] or `ambient` light");
         return;
     }
     if (!is_part && scene.cameras.empty() && !messages.diagnostics().has_errors()) {

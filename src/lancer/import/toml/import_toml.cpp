@@ -55,7 +55,7 @@ std::optional<scene::Scene> import_toml(std::string_view text, const std::string
     ImportReport report;
     const ImportOptions options;
     SceneFiles files(path, options, ours);
-    files.add_to_hash(text);
+    files.add_to_hash(path, text);
     scene::Scene scene;
     scene.file = path;
     ImportContext context{path, options, files, report, ours};
@@ -63,6 +63,7 @@ std::optional<scene::Scene> import_toml(std::string_view text, const std::string
         read_text(text, context, scene);
     }
     scene.hash = files.hash();
+    scene.inputs = files.inputs();
     const bool failed = ours.has_errors();
     diagnostics.append(std::move(ours));
     return failed ? std::nullopt : std::optional<scene::Scene>(std::move(scene));

@@ -102,6 +102,12 @@ private:
     // Materials, groups and shapes.
     void take_over(scene::Scene& part, const std::string& path, Included& result) {
         scene::Scene& whole = context_.scene;
+        const std::vector<int> media = adopt_media(part, result);
+        for (scene::Material& material : part.materials) {
+            if (material.interior) {
+                material.interior = media[static_cast<std::size_t>(*material.interior)];
+            }
+        }
         const std::vector<int> numbers = materials_.adopt(std::move(part.materials));
         const int first_group = static_cast<int>(whole.groups.size());
         const auto renumber = [&](std::vector<scene::Object>& objects, std::vector<scene::Placement>& placements) {
@@ -135,6 +141,30 @@ private:
         result.placement.group = static_cast<int>(whole.groups.size()) - 1;
         result.depth = sizes.back().depth;
         result.objects = sizes.back().objects;
+    }
+
+    // The number that each of its media has in this scene. Where this file has one of that name, it is the one that is meant.
+    std::vector<int> adopt_media(scene::Scene& part, const Included& result) {
+        std::vector<scene::Medium>& all = context_.scene.media;
+        std::vector<int> numbers;
+        for (scene::Medium& medium : part.media) {
+            const auto same = std::find_if(all.begin(), all.end(), [&](const scene::Medium& other) { return other.name == medium.name; });
+            if (same != all.end() && same->position.file == context_.messages.file()) {
+                numbers.push_back(static_cast<int>(same - all.begin()));
+                continue;
+            }
+            for (std::optional<scene::Grid>* grid : {&medium.density, &medium.albedo, &medium.temperature}) {
+                if (*grid) {
+                    (*grid)->to_world = result.placement.to_parent * (*grid)->to_world;
+                }
+            }
+            numbers.push_back(static_cast<int>(all.size()));
+            all.push_back(std::move(medium));
+        }
+        if (part.medium && result.name.empty() && !context_.scene.medium) {
+            context_.scene.medium = numbers[static_cast<std::size_t>(*part.medium)];
+        }
+        return numbers;
     }
 
     void take_surroundings(scene::Scene& part, bool lights, bool cameras, bool settings, Included& result) {

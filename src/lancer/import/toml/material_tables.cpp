@@ -35,10 +35,17 @@ Table physical(std::string_view type, std::string_view help, std::vector<Key> ke
         table.keys.push_back({"normal_scale", Kind::number, 1.0, Range{-100.0, 100.0}, "", "Multiplies the red and green of normal_map."});
         table.keys.push_back({"normal_flip_green", Kind::flag, false, any, "", "The map's green grows downwards, as Direct3D has it."});
         table.keys.push_back({"bump", Kind::value, 0.0, any, "m", "Heights that bend the normals as if the surface were raised by them."});
+        table.keys.push_back(
+            {"relief_shadows", Kind::flag, false, any, "", "Dims slanting light as if normal_map or bump hid it from itself."});
     }
     return table;
 }
 
+const Key interior{"interior", Kind::text, none, any, "", "The name of the [medium.NAME] that fills the body."};
+const Key priority{
+    "priority", Kind::integer,
+    0.0,        Range{-1e6, 1e6},
+    "",         "Where bodies overlap, the one of the highest priority fills the overlap; of equals the one that light entered last."};
 const Key roughness{"roughness", Kind::value, 0.0, share, "", "From 0, polished, to 1; its square is the width of the facets' slopes."};
 const Key facets{"facets", Kind::choice,       "ggx", any, "", "How the small mirrors of a rough surface are distributed.",
                  false,    {"ggx", "beckmann"}};
@@ -114,7 +121,9 @@ const Table& dielectric_material() {
          {"thin", Kind::flag, false, any, "", "A pane without thickness: light passes straight through."},
          facets,
          facet_shadows,
-         facet_light});
+         facet_light,
+         interior,
+         priority});
     return table;
 }
 
@@ -148,7 +157,11 @@ const Table& principled_material() {
          {"sheen", Kind::texture, origin, share, "", "Light from fine fibres, as of velvet."},
          {"sheen_roughness", Kind::value, 0.3, share, "", "Of the fibres."},
          {"film", Kind::value, 0.0, Range{0.0, 10000.0}, "nm", "The thickness of a film that shimmers in colours; 0 for none."},
-         {"film_refraction", Kind::number, 1.3, Range{1.0, 10.0}, "", "The refractive index of the film."}});
+         {"film_refraction", Kind::number, 1.3, Range{1.0, 10.0}, "", "The refractive index of the film."},
+         {"dispersion", Kind::number, 0.0, Range{0.0, 10.0}, "",
+          "How far the clear body parts the colours: 20 over its Abbe number, as in glTF."},
+         interior,
+         priority});
     return table;
 }
 
@@ -176,7 +189,17 @@ const Table& mix_material() {
     static const Table table = physical("mix", "Two materials, one here and the other there, or both together.",
                                         {{"first", Kind::material, none, any, "", "A material, which may be a mix itself.", true},
                                          {"second", Kind::material, none, any, "", "The other one.", true},
-                                         {"share", Kind::value, 0.5, share, "", "How much of the second there is."}});
+                                         {"share", Kind::value, 0.5, share, "", "How much of the second there is."},
+                                         interior,
+                                         priority});
+    return table;
+}
+
+const Table& null_material() {
+    static const Table table{"null",
+                             "a material",
+                             "A border that is not seen, which closes in a medium: a cloud, a pillar of smoke.",
+                             {{"type", Kind::choice, none, any, "", "The model of the surface.", true, {"null"}}, interior, priority}};
     return table;
 }
 

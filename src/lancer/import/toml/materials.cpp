@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lancer/import/toml/colors.h"
+#include "lancer/import/toml/media.h"
 #include "lancer/import/toml/spectra.h"
 #include "lancer/spectrum/glass.h"
 #include "lancer/spectrum/metal.h"
@@ -201,6 +202,7 @@ scene::PrincipledMaterial read_principled(Context& context, TableReader& reader)
     model.sheen_roughness = read_value(context, reader, "sheen_roughness");
     model.film = read_value(context, reader, "film");
     model.film_refraction = reader.number("film_refraction");
+    model.dispersion = reader.number("dispersion");
     return model;
 }
 
@@ -240,6 +242,10 @@ scene::Relief read_relief(Context& context, TableReader& reader) {
     }
     if (reader.has("bump")) {
         relief.heights = read_value(context, reader, "bump");
+    }
+    relief.shadows = reader.flag("relief_shadows");
+    if (relief.shadows && !relief.normals && !relief.heights) {
+        reader.error("relief_shadows", "\"relief_shadows\" needs \"normal_map\" or \"bump\" beside it");
     }
     return relief;
 }
@@ -301,9 +307,23 @@ scene::Material Materials::read_table(const toml::table& table) {
         case 6:
             material.model = read_burley(context_, reader);
             break;
-        default:
+        case 7:
             material.model = read_mix(reader);
             break;
+        default:
+            material.model = scene::NullMaterial{};
+            material.interior = read_interior(context_, reader);
+            material.priority = reader.integer("priority");
+            return material;
+    }
+    if (materials()[kind]->find("interior")) {
+        material.interior = read_interior(context_, reader);
+        material.priority = reader.integer("priority");
+        for (const char* key : {"absorption", "thin"}) {
+            if (reader.has("interior") && reader.has(key) && (std::string_view(key) != "thin" || reader.flag("thin"))) {
+                reader.error("interior", fmt::format("a material has either an \"interior\" or \"{}\"", key));
+            }
+        }
     }
     material.emission = read_emission(context_, reader);
     read_sides(reader, material);

@@ -48,8 +48,9 @@ std::span<const Table* const> lights() {
 }
 
 std::span<const Table* const> materials() {
-    static const Table* const all[] = {&whitted_material(), &diffuse_material(),    &conductor_material(), &dielectric_material(),
-                                       &plastic_material(), &principled_material(), &burley_material(),    &mix_material()};
+    static const Table* const all[] = {&whitted_material(),    &diffuse_material(), &conductor_material(),
+                                       &dielectric_material(), &plastic_material(), &principled_material(),
+                                       &burley_material(),     &mix_material(),     &null_material()};
     return all;
 }
 
@@ -68,6 +69,7 @@ std::span<const Section> file_sections() {
     static const std::vector<Section> all = with_shapes({{Form::camera, "camera", {&camera()}},
                                                          {Form::list, "light", {lights().begin(), lights().end()}},
                                                          {Form::named, "material", {materials().begin(), materials().end()}},
+                                                         {Form::named, "medium", {&medium()}},
                                                          {Form::list, "group", {&group()}},
                                                          {Form::list, "place", {&place()}},
                                                          {Form::list, "include", {&include()}},

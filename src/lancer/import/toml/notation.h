@@ -34,6 +34,7 @@ enum class Kind {
     index,       // a curve, or [r, g, b]
     refraction,  // 1.5, "N-BK7", { index = 1.5, abbe_number = 60 }, { b = [...], c = [...] }
     material,    // a name, or a material written in place
+    grid,        // { file = "smoke.vdb" }, { cells = [...], values = [...], min = [...], max = [...] }
     rotation,    // degrees about x, y, z; or { axis = [...], angle = ... }
     matrix,      // twelve numbers: the upper three rows of a 4 x 4 matrix, one row after the other
     scale,       // 2 or [1, 2, 3]
@@ -94,6 +95,9 @@ const Table& plastic_material();
 const Table& principled_material();
 const Table& burley_material();
 const Table& mix_material();
+const Table& null_material();
+const Table& medium();
+const Table& grid();
 const Table& checker();
 const Table& image();
 const Table& spectrum();

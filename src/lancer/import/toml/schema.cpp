@@ -81,6 +81,8 @@ Json value_schema(const Key& key) {
                                            list(numbers(key.range, "number"), 3)})}};
         case Kind::material:
             return {{"anyOf", Json::array({Json{{"type", "string"}}, reference("material")})}};
+        case Kind::grid:
+            return reference("grid");
         case Kind::rotation:
             return {{"anyOf", Json::array({list(numbers(key.range, "number"), 3), reference("axis_rotation")})}};
         case Kind::matrix:
@@ -171,6 +173,8 @@ Json definitions() {
     all["vertex_color"] = table_schema(vertex_color());
     all["face_color"] = table_schema(face_color());
     all["texture_value"] = table_schema(texture_value());
+    all["medium"] = table_schema(medium());
+    all["grid"] = table_schema(grid());
     all["abbe_glass"] = table_schema(abbe_glass());
     all["sellmeier_glass"] = table_schema(sellmeier_glass());
     all["axis_rotation"] = table_schema(axis_rotation());

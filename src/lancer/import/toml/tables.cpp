@@ -403,9 +403,11 @@ const Table& render() {
           "auto",
           any,
           "",
-          "How light is followed. auto: path where a material or a light follows physics, else whitted. direct: path with one bounce.",
+          "How light is followed. auto: path where a material or a light follows physics, else whitted. direct: path with one bounce. "
+          "light: from "
+          "the lamps. bdpt: from both ends. vcm: and photons, for what is seen through glass and lit through glass.",
           false,
-          {"auto", "whitted", "path", "direct"}},
+          {"auto", "whitted", "path", "direct", "light", "bdpt", "vcm"}},
          {"bounces", Kind::integer, none, Range{0.0, 1024.0}, "",
           "How often light goes on after the first hit; 5 for whitted (at most 24), 16 for path, 1 for direct (at most) when not written."},
          {"diffuse_bounces", Kind::integer, none, Range{0.0, 1024.0}, "",

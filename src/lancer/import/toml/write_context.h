@@ -25,9 +25,11 @@ struct WriteContext {
     WrittenScene& result;
     std::vector<std::string> materials;  // their names, each another one
     std::vector<std::string> groups;
+    std::vector<std::string> media;
     std::vector<std::shared_ptr<const scene::TriangleMesh>> meshes = {};  // in the order of the mesh file
     std::map<const scene::TriangleMesh*, std::size_t> parts = {};         // their numbers
     std::map<const std::string*, std::string> pictures = {};              // by their bytes, their files
+    std::map<const scene::VoxelData*, std::string> voxels = {};           // their files
 
     const std::string& material(int index) const { return materials[static_cast<std::size_t>(index)]; }
     std::string mesh_file() const { return stem + ".meshes"; }
@@ -47,6 +49,8 @@ std::string write_picture(WriteContext& context, const scene::ImageTexture& imag
 void add_color(Fields& fields, std::string_view key, const scene::Color& color, const scene::Color& preset);
 void add_texture(Fields& fields, std::string_view key, WriteContext& context, const scene::Texture& texture, const scene::Color& preset);
 void add_value(Fields& fields, std::string_view key, WriteContext& context, const scene::Value& value, double preset);
+// `translate`, or `matrix`; nothing where nothing is moved.
+void add_transform(Fields& fields, const glm::dmat4& map);
 
 // ---- Sections: tables with their headers ----------------------------------------------------------------------------------------
 
@@ -54,6 +58,7 @@ std::string write_cameras(const std::vector<scene::Camera>& cameras);
 std::string write_light(const scene::Light& light);
 std::string write_background(WriteContext& context, const scene::Background& background);
 std::string write_settings(const scene::RenderSettings& settings);
+std::string write_medium(WriteContext& context, const scene::Medium& medium, const std::string& name, bool everywhere);
 std::string write_material(WriteContext& context, const scene::Material& material, const std::string& name);
 // `prefix` is "group." inside of groups.
 std::string write_object(WriteContext& context, const scene::Object& object, const std::string& prefix);

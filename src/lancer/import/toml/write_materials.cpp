@@ -93,7 +93,7 @@ void write_model(Fields& fields, WriteContext& context, const scene::PlasticMate
 
 void write_model(Fields& fields, WriteContext& context, const scene::PrincipledMaterial& model) {
     const auto& [color, metalness, roughness, anisotropy, refraction, specular, transmission, thin, absorption, coat, coat_roughness, sheen,
-                 sheen_roughness, film, film_refraction] = model;
+                 sheen_roughness, film, film_refraction, dispersion] = model;
     fields.text("type", "principled");
     add_texture(fields, "color", context, color, scene::Rgb(0.8));
     add_value(fields, "metalness", context, metalness, 0.0);
@@ -110,6 +110,7 @@ void write_model(Fields& fields, WriteContext& context, const scene::PrincipledM
     add_value(fields, "sheen_roughness", context, sheen_roughness, 0.3);
     add_value(fields, "film", context, film, 0.0);
     fields.number("film_refraction", film_refraction, 1.3);
+    fields.number("dispersion", dispersion, 0.0);
 }
 
 void write_model(Fields& fields, WriteContext& context, const scene::BurleyMaterial& model) {
@@ -140,6 +141,8 @@ void write_model(Fields& fields, WriteContext& context, const scene::MixMaterial
     add_value(fields, "share", context, share, 0.5);
 }
 
+void write_model(Fields& fields, WriteContext&, const scene::NullMaterial&) { fields.text("type", "null"); }
+
 void write_emission(Fields& fields, WriteContext& context, const scene::Emission& emission) {
     const auto& [radiance, strength, both_sides] = emission;
     fields.raw("emission", write_texture(context, radiance));
@@ -148,7 +151,7 @@ void write_emission(Fields& fields, WriteContext& context, const scene::Emission
 }
 
 void write_relief(Fields& fields, WriteContext& context, const scene::Relief& relief) {
-    const auto& [normals, scale, flips_green, heights] = relief;
+    const auto& [normals, scale, flips_green, heights, shadows] = relief;
     if (normals) {
         fields.raw("normal_map", write_texture(context, *normals));
         fields.number("normal_scale", scale, 1.0);
@@ -157,12 +160,16 @@ void write_relief(Fields& fields, WriteContext& context, const scene::Relief& re
     if (heights) {
         fields.raw("bump", write_value(context, *heights));
     }
+    if (normals || heights) {
+        fields.flag("relief_shadows", shadows, false);
+    }
 }
 
 }  // namespace
 
 std::string write_material(WriteContext& context, const scene::Material& material, const std::string& written_name) {
-    const auto& [name, model, position, emission, is_default, relief, opacity, opacity_cutoff, behind, one_sided, open_behind] = material;
+    const auto& [name, model, position, emission, is_default, relief, opacity, opacity_cutoff, behind, one_sided, open_behind, interior,
+                 priority] = material;
     static_cast<void>(name), static_cast<void>(position), static_cast<void>(is_default);
     Fields fields;
     std::visit([&](const auto& kind) { write_model(fields, context, kind); }, model);
@@ -177,6 +184,10 @@ std::string write_material(WriteContext& context, const scene::Material& materia
     }
     fields.flag("one_sided", one_sided, false);
     fields.flag("open_behind", open_behind, false);
+    if (interior) {
+        fields.text("interior", context.media[static_cast<std::size_t>(*interior)]);
+    }
+    fields.number("priority", priority, 0);
     return fmt::format("\n[material.{}]\n{}", key_text(written_name), fields.lines());
 }
 

@@ -67,6 +67,8 @@ const char* write_shape(Fields& fields, WriteContext& context, const scene::Mesh
     return "mesh";
 }
 
+}  // namespace
+
 void add_transform(Fields& fields, const glm::dmat4& map) {
     glm::dmat4 unmoved = map;
     unmoved[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
@@ -83,8 +85,6 @@ void add_transform(Fields& fields, const glm::dmat4& map) {
     }
     fields.raw("matrix", list_text(rows));
 }
-
-}  // namespace
 
 std::string write_object(WriteContext& context, const scene::Object& object, const std::string& prefix) {
     const auto& [name, shape, material, to_parent, position] = object;

@@ -92,8 +92,9 @@ std::string write_contents(WriteContext& context, const std::vector<scene::Objec
 
 WrittenScene write_toml(const scene::Scene& written, const std::string& path) {
     using namespace notation;
-    const auto& [file, hash, cameras, materials, groups, objects, placements, lights, background, ambient, settings] = written;
-    static_cast<void>(hash);
+    const auto& [file, hash, inputs, cameras, media, medium, materials, groups, objects, placements, lights, background, ambient,
+                 settings] = written;
+    static_cast<void>(hash), static_cast<void>(inputs);
     const std::filesystem::path target(path);
     WrittenScene result;
     WriteContext context{written,
@@ -101,7 +102,8 @@ WrittenScene write_toml(const scene::Scene& written, const std::string& path) {
                          target.stem().string(),
                          result,
                          distinct_names(names_of(materials), "material"),
-                         distinct_names(names_of(groups), "group")};
+                         distinct_names(names_of(groups), "group"),
+                         distinct_names(names_of(media), "medium")};
     const std::string origin = std::filesystem::path(file).filename().string();
     std::string& text = result.toml;
     text = "# Written by lancer convert, from " + quoted_text(origin) + "\n";
@@ -113,6 +115,9 @@ WrittenScene write_toml(const scene::Scene& written, const std::string& path) {
     text += write_background(context, background);
     if (ambient != scene::Color(scene::Rgb(1.0))) {
         text += "\n[ambient]\ncolor = " + write_color(ambient) + "\n";
+    }
+    for (std::size_t i = 0; i < media.size(); ++i) {
+        text += write_medium(context, media[i], context.media[i], medium == static_cast<int>(i));
     }
     const std::vector<bool> used = used_materials(written);
     for (std::size_t i = 0; i < materials.size(); ++i) {

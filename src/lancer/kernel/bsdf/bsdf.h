@@ -8,6 +8,7 @@
 #include "lancer/kernel/bsdf/diffuse.h"
 #include "lancer/kernel/bsdf/plastic.h"
 #include "lancer/kernel/bsdf/principled.h"
+#include "lancer/kernel/volume/phase.h"
 
 NAMESPACE_BEGIN
 
@@ -38,16 +39,16 @@ FN Mask is_opaque(IN(Closure) c) {
     return either(either(diffuse, coated), either(principled, burley));
 }
 
-// Whether what the surface sends back counts as diffuse, and not as glossy, where bounces are limited by kind.
+// Whether what the surface sends back counts as diffuse, and not as glossy, where bounces are limited by kind. Media scatter as matt surfaces do.
 FN Mask is_matt(IN(Closure) c) {
     Mask body =
         either(is_equal(c.kind, Int(BSDF_DIFFUSE)), either(is_equal(c.kind, Int(BSDF_ROUGH_DIFFUSE)), is_equal(c.kind, Int(BSDF_PLASTIC))));
     Float other = c.metalness + (Float(1.0f) - c.metalness) * c.transmission;
     Mask layered = either(is_equal(c.kind, Int(BSDF_PRINCIPLED)), is_equal(c.kind, Int(BSDF_BURLEY)));
-    return either(body, both(layered, other < Float(0.5f)));
+    return either(either(body, is_phase(c)), both(layered, other < Float(0.5f)));
 }
 
-// Value and density of a direction that was drawn elsewhere; smooth surfaces have none.
+// Value and density of a direction that was drawn elsewhere; smooth surfaces have none. Media come without a cosine.
 FN BsdfValue bsdf_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 wi, Mask mask) {
     BsdfValue value = no_value();
     Mask todo = mask;
@@ -68,6 +69,8 @@ FN BsdfValue bsdf_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 wi, 
             value = select_value(mine, principled_value(world, c, wo, wi, mine), value);
         } else if (kind == BSDF_BURLEY) {
             value = select_value(mine, burley_value(c, wo, wi, mine), value);
+        } else if (kind >= PHASE_HENYEY_GREENSTEIN) {
+            value = select_value(mine, phase_value(c, wo, wi), value);
         }
         todo = without(todo, mine);
     }
@@ -97,6 +100,8 @@ FN BsdfSample bsdf_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Float c
             drawn = select_sample(mine, principled_sample(world, c, wo, choice, u, mine), drawn);
         } else if (kind == BSDF_BURLEY) {
             drawn = select_sample(mine, burley_sample(c, wo, choice, u, mine), drawn);
+        } else if (kind >= PHASE_HENYEY_GREENSTEIN) {
+            drawn = select_sample(mine, phase_sample(c, wo, u), drawn);
         }
         todo = without(todo, mine);
     }

@@ -3,24 +3,11 @@
 #ifndef LANCER_KERNEL_BSDF_CONDUCTOR_H
 #define LANCER_KERNEL_BSDF_CONDUCTOR_H
 
-#include "lancer/kernel/bsdf/albedo.h"
 #include "lancer/kernel/bsdf/fresnel.h"
+#include "lancer/kernel/bsdf/stretched.h"
 #include "lancer/kernel/warp.h"
 
 NAMESPACE_BEGIN
-
-// What facets that reflect everything lose towards a direction, where the second lobe gives it back; below, its mean over directions.
-FN Float facet_loss(IN(WorldRecord) world, IN(Facets) f, Vec3 w, Mask mask) {
-    TablePlace rough = place_in_table(sqrt(sqrt(mean_square_roughness(f))), ALBEDO_ROUGHNESSES);
-    TablePlace cosine = place_in_table(sqrt(cosine_of_round_facets(f, w)), ALBEDO_COSINES);
-    Float loss = albedo_of_sheet(world, Int(ALBEDO_MIRROR) + distribution_of(f), rough, cosine, mask);
-    return select(f.once, Float(0.0f), loss);
-}
-
-FN Float mean_facet_loss(IN(WorldRecord) world, IN(Facets) f, Mask mask) {
-    TablePlace rough = place_in_table(sqrt(sqrt(mean_square_roughness(f))), ALBEDO_ROUGHNESSES);
-    return mean_of_sheet(world, Int(ALBEDO_MIRROR) + distribution_of(f), rough, mask);
-}
 
 // The colour of light that has met several facets, of mean reflectance `once` each.
 FN Spectrum several_times(Spectrum once, Float lost) { return once * once * (Float(1.0f) - lost) / (vec4_all(Float(1.0f)) - once * lost); }

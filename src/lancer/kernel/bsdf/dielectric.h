@@ -2,8 +2,8 @@
 #ifndef LANCER_KERNEL_BSDF_DIELECTRIC_H
 #define LANCER_KERNEL_BSDF_DIELECTRIC_H
 
-#include "lancer/kernel/bsdf/albedo.h"
 #include "lancer/kernel/bsdf/film.h"
+#include "lancer/kernel/bsdf/stretched.h"
 #include "lancer/kernel/warp.h"
 
 NAMESPACE_BEGIN
@@ -13,8 +13,6 @@ FN Mask is_rough_border(IN(Closure) c) { return both(is_rough(c), abs(c.index.x 
 
 // Light that has met several facets: what is given back on the side of wo, and beyond [Kulla and Conty 2017].
 struct BorderLoss {
-    AlbedoPlace front;
-    AlbedoPlace behind;
     Float mean_front;
     Float mean_behind;
     Float through;  // the share of it that goes beyond: so that both directions agree
@@ -23,12 +21,9 @@ struct BorderLoss {
 FN BorderLoss border_loss(IN(WorldRecord) world, IN(Closure) c, Mask mask) {
     Float eta = c.index.x;
     Facets f = facets_of(c);
-    Float roughness = sqrt(mean_square_roughness(f));
     BorderLoss loss;
-    loss.front = border_place(eta, roughness, f);
-    loss.behind = border_place(Float(1.0f) / eta, roughness, f);
-    loss.mean_front = max(mean_albedo(world, loss.front, mask), Float(1.0e-6f));
-    loss.mean_behind = max(mean_albedo(world, loss.behind, mask), Float(1.0e-6f));
+    loss.mean_front = max(mean_border_lost(world, f, eta, mask), Float(1.0e-6f));
+    loss.mean_behind = max(mean_border_lost(world, f, Float(1.0f) / eta, mask), Float(1.0e-6f));
     // Of light from all directions a border lets as much through as comes back from the other side; there it fills a wider cone.
     Float denser = max(eta, Float(1.0f) / eta);
     Float passes = Float(1.0f) - mean_albedo(world, coat_place(denser, Float(0.0f), f), mask);
@@ -70,12 +65,9 @@ FN BsdfValue dielectric_value(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec
         density = select(good, density, Float(0.0f));
         // By several facets.
         BorderLoss loss = border_loss(world, c, rough);
-        AlbedoPlace beyond = loss.behind;
-        beyond.sheet = select(reflects, loss.front.sheet, beyond.sheet);
-        beyond.part = select(reflects, loss.front.part, beyond.part);
-        Float lost_out = select(c.once, Float(0.0f), albedo_at(world, loss.front, cosine_of_round_facets(f, wo), rough));
-        Float lost_in =
-            albedo_at(world, beyond, cosine_of_round_facets(f, wi), rough) / select(reflects, loss.mean_front, loss.mean_behind);
+        Float lost_out = select(c.once, Float(0.0f), border_lost(world, f, eta, wo, rough));
+        Float lost_in = border_lost(world, f, select(reflects, eta, Float(1.0f) / eta), wi, rough);
+        lost_in = lost_in / select(reflects, loss.mean_front, loss.mean_behind);
         Float side = abs(wi.z) * Float(1.0f / PI) * select(reflects, Float(1.0f) - loss.through, loss.through);
         Float several = lost_out * lost_in * side;
         value = value + vec4_all(select(reflects, several, several / (eta * eta)));
@@ -100,8 +92,7 @@ FN BsdfSample dielectric_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, F
     if (some(rough)) {
         m = select(rough, facets_visible_normal(facets_of(c), wo, u), m);
         loss = border_loss(world, c, rough);
-        Float lost = albedo_at(world, loss.front, cosine_of_round_facets(facets_of(c), wo), rough);
-        lost = select(c.once, Float(0.0f), lost);
+        Float lost = select(c.once, Float(0.0f), border_lost(world, facets_of(c), eta, wo, rough));
         several = both(rough, choice < lost);
         rest = select(
             rough, select(several, choice / max(lost, Float(SMALLEST)), (choice - lost) / max(Float(1.0f) - lost, Float(SMALLEST))), rest);

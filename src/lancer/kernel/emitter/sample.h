@@ -126,6 +126,24 @@ FN EmitterSample emitter_sample(IN(WorldRecord) world, IN(EmitterRecord) emitter
     return s;
 }
 
+// With which a point of an emitting object that is not seen as a cone is drawn, per square metre; `part`: of a mesh.
+FN Float place_density(IN(WorldRecord) world, IN(EmitterRecord) emitter, IN(SurfacePoint) point, Int part, Mask mask) {
+    Float density = Float(1.0f / emitter.area);
+    if (emitter.kind == EMITTER_MESH) {
+        density = mesh_density(world, emitter, part, mask);
+    } else if (emitter.kind == EMITTER_PLACED) {
+        PlacedRecord shape = AT(world.placed, emitter.index);
+        Vec3 n = normalize(apply_transposed(shape.to_world, point.normal));  // back in the shape's own space
+        if (AT(world.objects, emitter.object).kind == OBJECT_PLACED_BOX) {
+            Vec3 grown = face_growths(shape);
+            density = Float(1.0f) / ((grown.x + grown.y + grown.z) * Float(8.0f));
+        } else {
+            density = Float(1.0f) / (area_growth(shape, n) * Float(emitter.area));
+        }
+    }
+    return density;
+}
+
 // The density, per solid angle at `from`, with which emitter_sample draws the point of an emitting object that a ray from there has met; `part`: of a mesh.
 FN Float emitter_density(IN(WorldRecord) world, IN(EmitterRecord) emitter, Vec3 from, Vec3 direction, IN(SurfacePoint) point, Int part,
                          Mask mask) {
@@ -135,7 +153,7 @@ FN Float emitter_density(IN(WorldRecord) world, IN(EmitterRecord) emitter, Vec3 
     } else {
         Vec3 way = point.position - from;
         Float to_solid_angle = dot(way, way) / max(abs(dot(direction, point.normal)), Float(SMALLEST));
-        density = to_solid_angle * Float(1.0f / emitter.area);
+        density = to_solid_angle * place_density(world, emitter, point, part, mask);
         if (emitter.kind == EMITTER_SPHERE) {
             SphereRecord sphere = AT(world.spheres, emitter.index);
             Vec3 to_center = broadcast(sphere.center) - from;
@@ -144,20 +162,6 @@ FN Float emitter_density(IN(WorldRecord) world, IN(EmitterRecord) emitter, Vec3 
             Float sin_2 = min(radius_2 / max(distance_2, Float(SMALLEST)), Float(1.0f));
             Float room = sin_2 / (Float(1.0f) + sqrt(Float(1.0f) - sin_2));
             density = select(distance_2 > radius_2 * Float(1.0001f), Float(0.5f / PI) / max(room, Float(SMALLEST)), density);
-        } else if (emitter.kind == EMITTER_MESH) {
-            density = to_solid_angle * mesh_density(world, emitter, part, mask);
-        } else if (emitter.kind == EMITTER_PLACED) {
-            PlacedRecord shape = AT(world.placed, emitter.index);
-            Vec3 n = apply_transposed(shape.to_world, point.normal);  // back in the shape's own space, of any length
-            n = normalize(n);
-            Float growth = area_growth(shape, n);
-            int kind = AT(world.objects, emitter.object).kind;
-            if (kind == OBJECT_PLACED_BOX) {
-                Vec3 grown = face_growths(shape);
-                density = to_solid_angle / ((grown.x + grown.y + grown.z) * Float(8.0f));
-            } else {
-                density = to_solid_angle / (growth * Float(emitter.area));
-            }
         }
     }
     return density;

@@ -1,0 +1,78 @@
+// The photons of one sample of all pixels, to be found by place; and those of the samples that are being worked on.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace lancer {
+
+// In world space; see kernel/bidirectional/merge.h.
+struct PhotonRecord {
+    float position[3];
+    float normal[3];
+    float from[3];
+    float light[4];
+    float meet;
+    float join;
+    float merge;
+    std::uint32_t depth_and_single;  // twice the depth, and 1 for those of one wavelength
+};
+
+class PhotonMap {
+public:
+    // The order of the photons is kept within a cell.
+    PhotonMap(std::vector<PhotonRecord> photons, float radius);
+
+    // Appends those within the radius of a place, in an order that depends on nothing else.
+    void gather(const float position[3], std::vector<const PhotonRecord*>& found) const;
+    std::size_t size() const { return photons_.size(); }
+
+private:
+    std::uint32_t bucket(std::int32_t x, std::int32_t y, std::int32_t z) const;
+
+    float radius_;
+    std::uint32_t mask_ = 0;
+    std::vector<std::uint32_t> first_;  // of each bucket, and the end of the last
+    std::vector<PhotonRecord> photons_;
+};
+
+// Keeps the maps of a few samples. Whoever asks for one that is not there helps to make it.
+class PhotonMaps {
+public:
+    // Photons of some paths of a sample: from `first` on, `count` of them, in their order. Pure; called by several threads.
+    using Trace = std::function<std::vector<PhotonRecord>(int sample, int first, int count)>;
+
+    PhotonMaps(int paths, std::function<float(int)> radius, Trace trace);
+
+    std::shared_ptr<const PhotonMap> of_sample(int sample);
+
+private:
+    static constexpr int paths_at_once = 2048;
+    static constexpr std::size_t kept = 40;  // more than the samples that one round takes
+
+    struct Entry {
+        std::atomic<int> next{0};
+        std::atomic<int> done{0};
+        std::vector<std::vector<PhotonRecord>> parts;
+        std::mutex lock;
+        std::condition_variable finished;
+        std::shared_ptr<const PhotonMap> map;
+    };
+
+    std::shared_ptr<Entry> entry(int sample);
+
+    int paths_;
+    std::function<float(int)> radius_;
+    Trace trace_;
+    std::mutex lock_;
+    std::map<int, std::shared_ptr<Entry>> entries_;
+    std::vector<int> order_;  // in which they were asked for first
+};
+
+}  // namespace lancer

@@ -1,0 +1,284 @@
+// Joints: a vertex of the camera's half with a light, with a vertex of light's half, and that with the camera. Each brings the light of its path,
+// times its weight among all the ways in which that path could have been found [Veach 1997, 10.2; Georgiev 2012].
+#ifndef LANCER_KERNEL_BIDIRECTIONAL_JOIN_H
+#define LANCER_KERNEL_BIDIRECTIONAL_JOIN_H
+
+#include "lancer/kernel/bidirectional/subpath.h"
+
+NAMESPACE_BEGIN
+
+// Light that has given up all wavelengths but the first: that one stands for all four.
+FN Spectrum first_alone(Spectrum light, Mask single) {
+    return select(single, vec4_of(light.x * Float(4.0f), Float(0.0f), Float(0.0f), Float(0.0f)), light);
+}
+
+// What a vertex sends along `direction`.
+struct Outwards {
+    Spectrum value;  // the material's value times the cosine; of light's half corrected, see light_correction
+    Float density;   // of going there
+    Float back;      // of coming from there and going to where it came from
+    Float cosine;    // to the surface's normal
+    Mask single;
+    Mask open;
+};
+
+FN Outwards send_out(IN(WorldRecord) world, IN(BidirVertex) v, Vec3 direction, bool from_light, Mask mask) {
+    Outwards o;
+    Vec3 wi = to_local(v.frame, direction);
+    Float rises = dot(direction, v.normal);
+    o.cosine = abs(rises);
+    o.open = both(both(mask, v.valid), wi.z * rises > Float(0.0f));
+    BsdfValue value = bsdf_value(world, v.closure, v.wo, wi, o.open);
+    o.open = without(o.open, is_black(value.value));
+    o.value = value.value;
+    o.density = value.density;
+    o.back = Float(0.0f);
+    Mask through = wi.z < Float(0.0f);
+    o.single = both(through, v.disperses);
+    if (some(o.open)) {
+        o.back = density_back(world, v.closure, v.wo, wi, o.open);
+        if (from_light) {
+            o.value = o.value * light_correction(v, wi, direction, through);
+        } else {
+            o.value = o.value * between_hills(v.hills, v.smooth_, direction);
+        }
+    }
+    return o;
+}
+
+FN Int medium_towards(IN(BidirVertex) v, Vec3 direction) { return select(dot(direction, v.normal) > Float(0.0f), v.front, v.behind); }
+
+// From just off one surface to just before another point.
+FN Ray ray_between(IN(BidirVertex) v, Vec3 direction, Vec3 end) {
+    Ray ray;
+    ray.origin = leave_surface(v.position, v.error, v.normal, direction);
+    Vec3 way = end - ray.origin;
+    ray.reach = length(way);
+    ray.direction = way / max(ray.reach, Float(SMALLEST));
+    return ray;
+}
+
+// Where a ray from afar ends: just before the surface, with room for the ray's own rounding.
+FN Vec3 before_surface(Vec3 position, Vec3 error, Vec3 normal, Float distance, Vec3 back) {
+    return leave_surface(position, error + vec3_all(distance * Float(8.0f * ROUNDING)), normal, back);
+}
+
+// ---- The camera's half and a light that is asked. -------------------------------------------------------------------------------------------
+
+FN_LARGE Spectrum join_emitter(IN(WorldRecord) world, IN(BidirVertex) v, IN(Subpath) sub, Float choice, Vec2 u, Mask asking,
+                               IN(MergeWeights) merging, INOUT(RayTally) tally) {
+    Spectrum found = black();
+    Vec3 facing = select(is_opaque(v.closure), v.normal, vec3_all(Float(0.0f)));
+    EmitterChoice chosen = choose_emitter(world, v.position, facing, choice, asking);
+    Mask going = both(both(asking, is_above(chosen.emitter, Int(-1))), chosen.chance > Float(0.0f));
+    Ray shadow;
+    shadow.origin = v.position;
+    shadow.direction = v.normal;
+    shadow.reach = Float(0.0f);
+    Spectrum light = black();
+    Float density = Float(1.0f);
+    Float sent = Float(0.0f);  // how often a path of light comes this way, over how often it is asked for
+    Mask discrete = nowhere();
+    Mask todo = going;
+    while (some(todo)) {
+        int number = first_of(chosen.emitter, todo);
+        Mask mine = both(todo, is_equal(chosen.emitter, Int(number)));
+        EmitterRecord emitter = AT(world.emitters, number);
+        EmitterSample s = emitter_sample(world, emitter, v.position, u, mine);
+        Mask good = both(mine, s.valid);
+        light = select(good, emitted_light(world, emitter, s, sub.path.nanometres, good), light);
+        density = select(good, s.density, density);
+        discrete = either(discrete, both(good, s.discrete));
+        EmissionDensity back = emission_density(world, emitter, s.point, -s.direction, v.position, asked_place_density(emitter, s), good);
+        Mask far = s.distance >= Float(FAR);
+        Float slant = select(s.discrete, s.distance * s.distance, abs(dot(s.direction, s.point.normal)));
+        slant = select(far, Float(1.0f), slant);
+        Float ratio = back.place * back.direction * emission_chance(world, number, good) / max(s.density * slant, Float(SMALLEST));
+        sent = select(good, ratio, sent);
+        Vec3 start = leave_surface(v.position, v.error, v.normal, s.direction);
+        Vec3 way = before_surface(s.point.position, s.point.error, s.point.normal, s.distance, -s.direction) - start;
+        Float reach = length(way);
+        shadow.origin = select(good, start, shadow.origin);
+        shadow.direction = select(good, select(far, s.direction, way / max(reach, Float(SMALLEST))), shadow.direction);
+        shadow.reach = select(good, select(far, Float(FAR), reach), shadow.reach);
+        todo = without(todo, mine);
+    }
+    going = without(both(going, shadow.reach > Float(0.0f)), is_black(light));
+    if (some(going)) {
+        Outwards forth = send_out(world, v, shadow.direction, false, going);
+        going = forth.open;
+        if (some(going)) {
+            tally.shadow += lanes_in(going);
+            Float passes = passing_light(world, shadow, going);
+            Mask lit = both(going, passes > Float(0.0f));
+            if (world.has_transparency != 0) {
+                Mask near = both(lit, shadow.reach < Float(FAR));
+                light = light * left_of_light(world, medium_towards(v, shadow.direction), shadow.reach, sub.path.nanometres, near);
+            }
+            Float asked = density * chosen.chance;
+            Float by_chance = select(discrete, Float(0.0f), square_of_density(forth.density / asked));
+            Float by_light = square_of_density(sent * forth.cosine / chosen.chance) *
+                             (merging.merge + v.ways.meet + v.ways.join * square_of_density(forth.back));
+            Float weight = passes / (asked * (Float(1.0f) + by_chance + by_light));
+            Spectrum brought = v.throughput * forth.value * light * weight;
+            found = select(lit, first_alone(brought, either(v.single, forth.single)), found);
+        }
+    }
+    return found;
+}
+
+// ---- The camera's half and light's. ---------------------------------------------------------------------------------------------------------
+
+FN_LARGE Spectrum join_vertices(IN(WorldRecord) world, IN(BidirVertex) v, IN(BidirVertex) l, Vec4 nanometres, Mask asking,
+                                IN(MergeWeights) merging, INOUT(RayTally) tally) {
+    Spectrum found = black();
+    Vec3 way = l.position - v.position;
+    Float distance_2 = dot(way, way);
+    Mask going = both(both(asking, both(v.valid, l.valid)), distance_2 > Float(0.0f));
+    Float distance = sqrt(max(distance_2, Float(SMALLEST)));
+    Vec3 direction = way / distance;
+    going = both(going, abs(dot(direction, v.normal)) > Float(0.0f));
+    if (some(going)) {
+        Outwards forth = send_out(world, v, direction, false, going);
+        going = forth.open;
+        if (some(going)) {
+            Outwards into = send_out(world, l, -direction, true, going);
+            going = into.open;
+            Spectrum brought = v.throughput * forth.value * (l.throughput * into.value) / max(distance_2, Float(SMALLEST));
+            going = without(going, is_black(brought));
+            if (some(going)) {
+                tally.shadow += lanes_in(going);
+                Ray shadow = ray_between(v, direction, before_surface(l.position, l.error, l.normal, distance, -direction));
+                Float passes = passing_light(world, shadow, going);
+                Mask lit = both(going, passes > Float(0.0f));
+                if (world.has_transparency != 0) {
+                    brought = brought * left_of_light(world, medium_towards(v, direction), distance, nanometres, lit);
+                }
+                Float by_camera = square_of_density(forth.density * into.cosine / distance_2) *
+                                  (merging.merge + l.ways.meet + l.ways.join * square_of_density(into.back));
+                Float by_light = square_of_density(into.density * forth.cosine / distance_2) *
+                                 (merging.merge + v.ways.meet + v.ways.join * square_of_density(forth.back));
+                Float weight = passes / (Float(1.0f) + by_camera + by_light);
+                Mask single = either(either(v.single, l.single), either(forth.single, into.single));
+                found = select(lit, first_alone(brought * weight, single), found);
+            }
+        }
+    }
+    return found;
+}
+
+// ---- Light's half and the camera. -----------------------------------------------------------------------------------------------------------
+
+// Light for the film, wherever it falls.
+struct FilmSplat {
+    Vec2 film;       // pixels from the upper left corner
+    Spectrum light;  // to be weighed by each pixel's filter; a pixel is the mean over all paths of light of `light_paths` times that
+    Mask valid;
+};
+
+FN FilmSplat no_splat() {
+    FilmSplat s;
+    s.film = vec2_of(Float(0.0f), Float(0.0f));
+    s.light = black();
+    s.valid = nowhere();
+    return s;
+}
+
+FN Vec2 lens_of_light(IN(WorldRecord) world, IN(Sampler) numbers) {
+    Vec2 lens = vec2_of(Float(0.0f), Float(0.0f));
+    if (world.camera.lens_radius > 0.0f) {
+        lens = on_disk(sample_pair(numbers, UInt(uint(DECISION_EMISSION_LENS))));
+    }
+    return lens;
+}
+
+// `weighed`: false where no other way is tried.
+FN_LARGE FilmSplat join_camera(IN(WorldRecord) world, IN(BidirVertex) l, IN(Subpath) sub, Float light_paths, bool weighed, Mask asking,
+                               IN(MergeWeights) merging, INOUT(RayTally) tally) {
+    FilmSplat splat = no_splat();
+    CameraSight sight = see_point(world.camera, l.position, lens_of_light(world, sub.path.numbers), Float(world.filter_record.radius));
+    Mask going = both(both(asking, l.valid), sight.valid);
+    if (some(going)) {
+        // A camera that looks from below the shading normal bends it, as paths do.
+        BidirVertex seen = l;
+        Vec3 bent = select(dot(sight.direction, l.normal) > Float(0.0f), seen_normal(l.normal, l.frame.z, sight.direction), l.frame.z);
+        bent = select(l.hills < Float(0.0f), bent, l.frame.z);
+        Vec3 by = bent - l.frame.z;
+        Mask turned = both(going, dot(by, by) > Float(0.0f));
+        if (some(turned)) {
+            Frame frame = frame_along(bent, l.frame.x);
+            Vec3 wo = to_local(frame, to_world(l.frame, l.wo));
+            seen.frame.x = select(turned, frame.x, l.frame.x);
+            seen.frame.y = select(turned, frame.y, l.frame.y);
+            seen.frame.z = select(turned, frame.z, l.frame.z);
+            seen.wo = select(turned, wo, l.wo);
+            going = both(going, seen.wo.z > Float(0.0f));
+        }
+        Outwards forth = send_out(world, seen, sight.direction, true, going);
+        going = forth.open;
+        if (some(going)) {
+            tally.shadow += lanes_in(going);
+            Ray shadow = ray_between(l, sight.direction, l.position + sight.direction * sight.distance);
+            Float passes = passing_light(world, shadow, going);
+            Mask lit = both(going, passes > Float(0.0f));
+            Spectrum brought = l.throughput * forth.value * (sight.density * passes / light_paths);
+            if (world.has_transparency != 0) {
+                brought = brought * left_of_light(world, medium_towards(l, sight.direction), sight.distance, sub.path.nanometres, lit);
+            }
+            if (weighed) {
+                Float by_camera = square_of_density(sight.density * forth.cosine / light_paths) *
+                                  (merging.merge + l.ways.meet + l.ways.join * square_of_density(forth.back));
+                brought = brought / (Float(1.0f) + by_camera);
+            }
+            splat.film = sight.film;
+            splat.light = select(lit, first_alone(brought, either(l.single, forth.single)), splat.light);
+            splat.valid = without(lit, is_black(splat.light));
+        }
+    }
+    return splat;
+}
+
+// The light itself, seen by the camera.
+FN_LARGE FilmSplat join_light_to_camera(IN(WorldRecord) world, IN(LightStart) start, IN(Subpath) sub, Float light_paths,
+                                        INOUT(RayTally) tally) {
+    FilmSplat splat = no_splat();
+    Mask asking = without(start.emission.valid, start.emission.discrete);
+    Vec2 lens = lens_of_light(world, sub.path.numbers);
+    Float margin = Float(world.filter_record.radius);
+    Mask far = start.emission.far;
+    CameraSight sight = see_point(world.camera, start.emission.point.position, lens, margin);
+    CameraSight sky = see_point(world.camera, broadcast(world.camera.position) - start.emission.direction, lens, margin);
+    Mask faces = dot(sight.direction, start.emission.point.normal) > Float(0.0f);
+    Float cosine = dot(sight.direction, start.emission.point.normal);
+    Mask seen = select_mask(far, both(sky.valid, all_or_none(world.sky.visible != 0 && world.camera.kind != CAMERA_ORTHOGRAPHIC)),
+                            both(sight.valid, faces));
+    Mask going = both(asking, seen);
+    if (some(going)) {
+        // Radiance is even over all directions of a lamp: what was drawn for one serves for another.
+        Float undone = start.emission.density.place * start.emission.density.direction / max(start.emission.cosine, Float(SMALLEST));
+        Spectrum radiance = start.emission.light * (undone / start.chance);
+        Float of_lamp = cosine * sight.density / start.emission.density.place;
+        Float of_sky = camera_density(world.camera, -start.emission.direction) / start.emission.density.direction;
+        Ray shadow;
+        shadow.origin =
+            leave_surface(start.emission.point.position, start.emission.point.error, start.emission.point.normal, sight.direction);
+        Vec3 way = start.emission.point.position + sight.direction * sight.distance - shadow.origin;
+        shadow.reach = length(way);
+        shadow.direction = way / max(shadow.reach, Float(SMALLEST));
+        shadow.origin = select(far, broadcast(world.camera.position), shadow.origin);
+        shadow.direction = select(far, -start.emission.direction, shadow.direction);
+        shadow.reach = select(far, Float(FAR), shadow.reach);
+        tally.shadow += lanes_in(going);
+        Float passes = passing_light(world, shadow, going);
+        Mask lit = both(going, passes > Float(0.0f));
+        Float weight = select(far, of_sky, of_lamp) * passes / light_paths;
+        splat.film = vec2_of(select(far, sky.film.x, sight.film.x), select(far, sky.film.y, sight.film.y));
+        splat.light = select(lit, radiance * weight, splat.light);
+        splat.valid = without(lit, is_black(splat.light));
+    }
+    return splat;
+}
+
+NAMESPACE_END
+
+#endif

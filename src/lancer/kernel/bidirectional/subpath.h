@@ -1,0 +1,381 @@
+// One half of a path, from the camera or from a light, vertex by vertex.
+//
+// What a light's half carries is power: where it passes into a denser medium it is not squeezed together as radiance is, and where shading normals
+// are not those of the surface it is weighed so that both halves see the same material [Veach 1997, 5.2, 5.3].
+#ifndef LANCER_KERNEL_BIDIRECTIONAL_SUBPATH_H
+#define LANCER_KERNEL_BIDIRECTIONAL_SUBPATH_H
+
+#include "lancer/kernel/bidirectional/vertex.h"
+#include "lancer/kernel/emitter/emission.h"
+#include "lancer/kernel/importance.h"
+
+NAMESPACE_BEGIN
+
+const float MOST_WAYS = 1.0e18f;    // sums of squares are cut off here: the way at hand counts nothing then
+const float MOST_DENSITY = 1.0e8f;  // and densities here, so that no product is infinite
+
+// What photons that are merged add to the weights: squares of how many times more often than one joint a merged pair is found; 0: none is merged.
+struct MergeWeights {
+    Float merge;  // pi r^2 times the number of photons, squared
+    Float join;   // its reciprocal
+};
+
+FN MergeWeights no_merging() {
+    MergeWeights w;
+    w.merge = Float(0.0f);
+    w.join = Float(0.0f);
+    return w;
+}
+
+struct Subpath {
+    PathState path;
+    Ways ways;
+    Float start;    // largest part of the throughput where it began
+    Mask single;    // has given up all wavelengths but the first
+    Mask parallel;  // its density does not fall with the distance to the next vertex
+    Mask straight;  // all its vertices have been mirrors and smooth borders
+};
+
+FN Float square_of_density(Float density) { return square(min(density, Float(MOST_DENSITY))); }
+
+FN Ways limited_ways(IN(Ways) ways) {
+    Ways w;
+    w.meet = min(ways.meet, Float(MOST_WAYS));
+    w.join = min(ways.join, Float(MOST_WAYS));
+    w.merge = min(ways.merge, Float(MOST_WAYS));
+    return w;
+}
+
+FN Ways no_ways() {
+    Ways w;
+    w.meet = Float(0.0f);
+    w.join = Float(0.0f);
+    w.merge = Float(0.0f);
+    return w;
+}
+
+// ---- Densities of going the other way. -----------------------------------------------------------------------------------------------------
+
+// The same border, met from the other side.
+FN Closure seen_from_behind(IN(Closure) c) {
+    Closure other = c;
+    Mask turned = without(is_clear(c), c.thin);
+    other.index = select(turned, vec4_all(Float(1.0f)) / c.index, c.index);
+    return other;
+}
+
+FN Vec3 turned_over(Vec3 w) { return vec3_of(w.x, w.y, -w.z); }
+
+// With which `wo` would have been drawn by who comes from `wi`.
+FN Float density_back(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 wi, Mask mask) {
+    Float density = Float(0.0f);
+    Mask above = both(mask, wi.z > Float(0.0f));
+    Mask below = both(mask, wi.z < Float(0.0f));
+    if (some(above)) {
+        BsdfValue v = bsdf_value(world, c, wi, wo, above);
+        density = select(above, v.density, density);
+    }
+    if (some(below)) {
+        BsdfValue v = bsdf_value(world, seen_from_behind(c), turned_over(wi), turned_over(wo), below);
+        density = select(below, v.density, density);
+    }
+    return density;
+}
+
+// What makes the material's value for radiance along wo, with light from wi, that for light from wo which goes on along wi.
+FN Float light_correction(IN(BidirVertex) v, Vec3 wi, Vec3 direction, Mask through) {
+    Float leaves = abs(dot(direction, v.normal));
+    Float into = abs(dot(to_world(v.frame, v.wo), v.normal));
+    Float correction = abs(v.wo.z) * leaves / max(into * abs(wi.z), Float(SMALLEST));
+    Float eta = v.closure.index.x;
+    Mask bends = without(both(through, is_clear(v.closure)), v.sheet);
+    return correction * select(bends, eta * eta, Float(1.0f));
+}
+
+// ---- The next vertex. -----------------------------------------------------------------------------------------------------------------------
+
+struct Meeting {
+    PathVertex surface;
+    Int part;  // the triangle of a mesh
+    Float distance;
+    Float cosine;  // of the ray and the surface's normal
+    Mask here;
+    Mask missed;
+};
+
+// From the subpath's ray to the vertex `v`. `depth` counts the vertices before it, the camera or the light not among them.
+FN_LARGE void meet_vertex(IN(WorldRecord) world, int depth, bool from_light, INOUT(Subpath) sub, INOUT(Meeting) met, INOUT(BidirVertex) v) {
+    Ray ray;
+    ray.origin = sub.path.origin;
+    ray.direction = sub.path.direction;
+    ray.reach = Float(FAR);
+    Float passed = Float(0.0f);
+    Hit hit = closest_there(world, sub.path.numbers, DECISION_LAYERS + depth * DECISIONS_OF_LAYERS, sub.path.alive, ray, passed);
+    Mask here = both(sub.path.alive, is_above(hit.object, Int(-1)));
+    met.here = here;
+    met.missed = without(sub.path.alive, here);
+    met.surface = no_vertex();
+    met.part = hit.part;
+    met.distance = passed + hit.t;
+    met.cosine = Float(1.0f);
+    v.valid = here;
+    sub.path.alive = here;
+    if (some(here)) {
+        sub.path.width = sub.path.width + sub.path.spread * met.distance;
+        Float which = Float(0.0f);
+        if (world.has_choices != 0) {
+            Vec2 u = decide(sub.path, depth, DECISION_SURVIVAL);
+            which = u.y;
+        }
+        find_vertex(world, ray, hit, sub.path.width, which, sub.path.nanometres, here, met.surface);
+        Mask inside = met.surface.inside;
+        Mask thin = is_equal(met.surface.closure.kind, Int(BSDF_THIN_DIELECTRIC));
+        Mask body = both(here, is_clear(met.surface.closure));
+        Int front = sub.path.media.first;
+        if (world.has_transparency != 0) {
+            front = select(both(body, inside), medium_before(sub.path.media, met.surface.material, inside), front);
+            sub.path.throughput = sub.path.throughput * left_of_light(world, front, met.distance, sub.path.nanometres, here);
+        }
+        Vec3 view = -ray.direction;
+        v.position = met.surface.point.position;
+        v.error = met.surface.point.error;
+        v.normal = select(inside, -met.surface.point.normal, met.surface.point.normal);
+        Vec3 shading = select(inside, -met.surface.point.shading, met.surface.point.shading);
+        v.smooth_ = met.surface.smooth_;
+        v.hills = met.surface.hills;
+        if (!from_light) {
+            shading = select(v.hills < Float(0.0f), seen_normal(v.normal, shading, view), shading);
+        }
+        v.frame = frame_around(shading);
+        if (world.has_directions != 0) {
+            v.frame = frame_along(shading, met.surface.point.along_u);
+        }
+        v.wo = to_local(v.frame, view);
+        met.cosine = max(abs(dot(view, v.normal)), Float(1.0e-12f));
+        Mask clear = either(body, both(here, thin));
+        Media beyond = sub.path.media;
+        if (some(clear)) {
+            find_border(world, sub.path, clear, thin, met.surface, beyond);
+        }
+        v.closure = met.surface.closure;
+        v.disperses = v.closure.disperses;
+        v.closure.disperses = nowhere();  // both halves must agree on who gives up which wavelengths: see `single`
+        v.sheet = either(thin, v.closure.thin);
+        v.front = front;
+        v.behind = select(v.sheet, front, beyond.first);
+        if (from_light) {
+            // What hills hide of the light is known as soon as it arrives.
+            sub.path.throughput = sub.path.throughput * between_hills(v.hills, v.smooth_, view);
+        }
+        v.throughput = sub.path.throughput;
+        v.single = sub.single;
+        // Through the distance, and onto the surface.
+        Float distance_2 = min(met.distance * met.distance, Float(1.0e18f));
+        Float grown = select(sub.parallel, Float(1.0f), square(distance_2));
+        Float cosine_2 = square(met.cosine);
+        sub.ways.meet = sub.ways.meet * grown / cosine_2;
+        sub.ways.join = sub.ways.join / cosine_2;
+        sub.ways.merge = sub.ways.merge / cosine_2;
+        sub.ways = limited_ways(sub.ways);
+        sub.parallel = nowhere();
+        v.ways = sub.ways;
+        Mask scatters = without(here, is_equal(v.closure.kind, Int(BSDF_NONE)));
+        if (from_light) {
+            // A camera on this side would not see light that comes from below the shading normal.
+            scatters = both(scatters, v.wo.z > Float(0.0f));
+        }
+        v.valid = without(scatters, is_smooth(v.closure));
+        sub.path.alive = scatters;
+    }
+}
+
+// ---- And the ray onwards. -------------------------------------------------------------------------------------------------------------------
+
+FN_LARGE void scatter_subpath(IN(WorldRecord) world, int depth, bool from_light, Int material, Mask inside, IN(BidirVertex) v,
+                              IN(MergeWeights) merging, INOUT(Subpath) sub) {
+    Mask going = sub.path.alive;
+    Vec2 choice = decide(sub.path, depth, DECISION_CHOICE);
+    BsdfSample next = bsdf_sample(world, v.closure, v.wo, choice.y, decide(sub.path, depth, DECISION_DIRECTION), going);
+    Vec3 direction = normalize(to_world(v.frame, next.wi));
+    Float rises = dot(direction, v.normal);
+    Mask right_side = either(both(next.transmits, rises < Float(0.0f)), without(rises > Float(0.0f), next.transmits));
+    going = both(both(going, next.valid), right_side);
+    sub.path.throughput = sub.path.throughput * next.weight;
+    Mask through = both(going, next.transmits);
+    if (from_light) {
+        sub.path.throughput = sub.path.throughput * light_correction(v, next.wi, direction, through);
+    } else {
+        sub.path.throughput = sub.path.throughput * between_hills(v.hills, v.smooth_, direction);
+    }
+    sub.single = either(sub.single, both(through, v.disperses));
+    sub.straight = both(sub.straight, next.discrete);
+
+    // The other ways to what comes after. Smooth surfaces have none: what they pass on can't be joined.
+    Float out_2 = square(abs(rises));
+    Float back = density_back(world, v.closure, v.wo, next.wi, without(going, next.discrete));
+    Float there_2 = square_of_density(max(next.density, Float(1.0e-8f)));
+    Float back_2 = square_of_density(back);
+    Ways rough;
+    rough.meet = Float(1.0f) / there_2;
+    rough.join = out_2 / there_2 * (sub.ways.join * back_2 + sub.ways.meet + merging.merge);
+    rough.merge = out_2 / there_2 * (sub.ways.merge * back_2 + sub.ways.meet * merging.join + Float(1.0f));
+    sub.ways.meet = select(next.discrete, Float(0.0f), rough.meet);
+    sub.ways.join = select(next.discrete, sub.ways.join * out_2, rough.join);
+    sub.ways.merge = select(next.discrete, sub.ways.merge * out_2, rough.merge);
+    sub.ways = limited_ways(sub.ways);
+
+    sub.path.density = next.density;
+    sub.path.facing = select(is_opaque(v.closure), v.normal, vec3_all(Float(0.0f)));
+    if (world.beam > 0.0f && !from_light) {
+        sub.path.spread = max(sub.path.spread, scattered_spread(next.density));
+    }
+    sub.path.origin = leave_surface(v.position, v.error, v.normal, direction);
+    sub.path.direction = direction;
+    Mask crosses = without(through, v.sheet);
+    Media beyond = select_media(inside, left(sub.path.media, material), entered(sub.path.media, material));
+    sub.path.media = select_media(crosses, beyond, sub.path.media);
+    Float eta = v.closure.index.x;
+    if (!from_light) {
+        sub.path.squeeze = select(crosses, sub.path.squeeze * eta * eta, sub.path.squeeze);
+    }
+    going = without(going, is_black(sub.path.throughput));
+    if (depth >= ROULETTE_FROM) {
+        Float survives = min(largest(sub.path.throughput) * sub.path.squeeze / max(sub.start, Float(SMALLEST)), Float(0.95f));
+        Vec2 u = decide(sub.path, depth, DECISION_SURVIVAL);
+        going = both(going, u.x < survives);
+        sub.path.throughput = sub.path.throughput / max(survives, Float(SMALLEST));
+    }
+    sub.path.alive = going;
+}
+
+// ---- Where the halves begin. ----------------------------------------------------------------------------------------------------------------
+
+// `light_paths`: how many paths of light there are for each sample of every pixel.
+FN Subpath start_from_camera(IN(WorldRecord) world, Float pixel_x, Float pixel_y, UInt key, UInt sample_number, Float light_paths,
+                             Mask alive) {
+    Subpath sub;
+    sub.path = start_path(world, pixel_x, pixel_y, key, sample_number, alive);
+    sub.ways = no_ways();
+    sub.ways.meet = square(light_paths / camera_density(world.camera, sub.path.direction));
+    sub.start = Float(1.0f);
+    sub.single = nowhere();
+    sub.parallel = is_parallel(world.camera);
+    sub.straight = all_or_none(true);
+    return sub;
+}
+
+// What the first vertex needs to know of the light.
+struct LightStart {
+    EmissionSample emission;
+    Int emitter;
+    Float chance;  // with which the emitter was chosen
+};
+
+FN Sampler light_numbers(IN(WorldRecord) world, UInt number) {
+    return start_sampler(scramble(scramble(UInt(uint(world.seed))) ^ UInt(0x4c494748u)), number);
+}
+
+// The path of light with that number. Alive where there is light.
+FN Subpath start_from_light(IN(WorldRecord) world, UInt number, Vec4 nanometres, Mask alive, INOUT(LightStart) start) {
+    Subpath sub;
+    sub.path.numbers = light_numbers(world, number);
+    Vec2 choice = sample_pair(sub.path.numbers, UInt(uint(DECISION_EMISSION)));
+    Vec2 place = sample_pair(sub.path.numbers, UInt(uint(DECISION_EMISSION_PLACE)));
+    Vec2 way = sample_pair(sub.path.numbers, UInt(uint(DECISION_EMISSION_WAY)));
+    EmissionChoice chosen = choose_emission(world, choice.x, alive);
+    start.emitter = chosen.emitter;
+    start.chance = chosen.chance;
+    start.emission.point = no_surface();
+    start.emission.direction = vec3_of(Float(0.0f), Float(1.0f), Float(0.0f));
+    start.emission.light = black();
+    start.emission.cosine = Float(1.0f);
+    start.emission.density.place = Float(1.0f);
+    start.emission.density.direction = Float(1.0f);
+    start.emission.discrete = nowhere();
+    start.emission.far = nowhere();
+    start.emission.valid = nowhere();
+    Mask todo = both(alive, both(is_above(chosen.emitter, Int(-1)), chosen.chance > Float(0.0f)));
+    while (some(todo)) {
+        int emitter = first_of(chosen.emitter, todo);
+        Mask mine = both(todo, is_equal(chosen.emitter, Int(emitter)));
+        EmissionSample s = emission_sample(world, AT(world.emitters, emitter), place, way, choice.y, nanometres, mine);
+        start.emission.point.position = select(mine, s.point.position, start.emission.point.position);
+        start.emission.point.error = select(mine, s.point.error, start.emission.point.error);
+        start.emission.point.normal = select(mine, s.point.normal, start.emission.point.normal);
+        start.emission.direction = select(mine, s.direction, start.emission.direction);
+        start.emission.light = select(mine, s.light, start.emission.light);
+        start.emission.cosine = select(mine, s.cosine, start.emission.cosine);
+        start.emission.density.place = select(mine, s.density.place, start.emission.density.place);
+        start.emission.density.direction = select(mine, s.density.direction, start.emission.density.direction);
+        start.emission.discrete = select_mask(mine, s.discrete, start.emission.discrete);
+        start.emission.far = select_mask(mine, s.far, start.emission.far);
+        start.emission.valid = select_mask(mine, s.valid, start.emission.valid);
+        todo = without(todo, mine);
+    }
+    sub.path.origin =
+        leave_surface(start.emission.point.position, start.emission.point.error, start.emission.point.normal, start.emission.direction);
+    sub.path.direction = start.emission.direction;
+    sub.path.throughput = start.emission.light / max(start.chance, Float(SMALLEST));
+    if (world.plane_count > 0) {
+        // Infinite planes may have been in the way before.
+        Mask far = both(start.emission.valid, start.emission.far);
+        Ray back;
+        back.origin = sub.path.origin;
+        back.direction = -start.emission.direction;
+        back.reach = Float(FAR);
+        Float passes = passing_light(world, back, far);
+        sub.path.throughput = select(far, sub.path.throughput * passes, sub.path.throughput);
+    }
+    sub.path.radiance = black();
+    sub.path.weight = Float(1.0f);
+    sub.path.nanometres = nanometres;
+    sub.path.facing = vec3_all(Float(0.0f));
+    sub.path.density = Float(0.0f);
+    sub.path.squeeze = Float(1.0f);
+    sub.path.width = Float(0.0f);
+    sub.path.spread = Float(0.0f);
+    sub.path.scattered = UInt(0u);
+    sub.path.media = no_media();
+    sub.path.alive = without(both(alive, start.emission.valid), is_black(sub.path.throughput));
+    sub.ways = no_ways();
+    sub.start = largest(sub.path.throughput);
+    sub.single = nowhere();
+    sub.parallel = start.emission.far;
+    sub.straight = all_or_none(true);
+    return sub;
+}
+
+// At the first vertex of a path of light: how else its first piece could have been found, by asking the emitter from here, and by meeting it. The
+// choice among emitters that are asked depends on where one asks.
+FN Ways ways_of_first_light(IN(WorldRecord) world, IN(LightStart) start, IN(Meeting) met, IN(BidirVertex) v, IN(MergeWeights) merging) {
+    Ways w;
+    Vec3 facing = select(is_opaque(v.closure), v.normal, vec3_all(Float(0.0f)));
+    Float chosen = emitter_chance(world, v.position, facing, start.emitter, met.here);
+    Float asked = start.emission.density.place;
+    Mask todo = both(met.here, is_above(start.emitter, Int(-1)));
+    while (some(todo)) {
+        int number = first_of(start.emitter, todo);
+        Mask mine = both(todo, is_equal(start.emitter, Int(number)));
+        EmitterRecord emitter = AT(world.emitters, number);
+        if (emitter.kind == EMITTER_SPHERE) {
+            // A sphere is asked by the cone that it fills.
+            Float by_angle = emitter_density(world, emitter, v.position, -start.emission.direction, start.emission.point, Int(0), mine);
+            asked = select(mine, by_angle * start.emission.cosine / max(met.distance * met.distance, Float(SMALLEST)), asked);
+        }
+        todo = without(todo, mine);
+    }
+    Float distance_2 = met.distance * met.distance;
+    Float near =
+        chosen * asked * distance_2 / (start.chance * start.emission.density.place * start.emission.density.direction * met.cosine);
+    Float far = chosen / (start.chance * start.emission.density.place * met.cosine);
+    w.meet = square(min(select(start.emission.far, far, near), Float(1.0e9f)));
+    Float met_by_chance =
+        start.emission.cosine / (start.chance * start.emission.density.place * start.emission.density.direction * met.cosine);
+    w.join = select(start.emission.discrete, Float(0.0f), square(min(met_by_chance, Float(1.0e9f))));
+    w.merge = w.join * merging.join;
+    return limited_ways(w);
+}
+
+NAMESPACE_END
+
+#endif

@@ -1,0 +1,85 @@
+// Which bodies a ray is inside of, where they overlap and some have no border of their own.
+#ifndef LANCER_KERNEL_VOLUME_BODIES_H
+#define LANCER_KERNEL_VOLUME_BODIES_H
+
+#include "lancer/kernel/refraction.h"
+#include "lancer/kernel/tables.h"
+
+NAMESPACE_BEGIN
+
+FN Int priority_of(IN(WorldRecord) world, Int material, Mask mask) {
+    Int priority = Int(-2147483647);  // of nothing
+    Mask todo = both(mask, is_above(material, Int(-1)));
+    while (some(todo)) {
+        int number = first_of(material, todo);
+        Mask mine = both(todo, is_equal(material, Int(number)));
+        priority = select(mine, Int(AT(world.media, number).priority), priority);
+        todo = without(todo, mine);
+    }
+    return priority;
+}
+
+// In front of all whose priority is not higher [Schmidt and Budge 2002]; those that are not there have none.
+FN Media entered_in_order(IN(WorldRecord) world, IN(Media) media, Int material, Mask mask) {
+    Media m = entered(media, material);
+    if (world.has_priorities != 0) {
+        Int own = priority_of(world, material, mask);
+        Mask below_first = is_above(priority_of(world, media.first, mask), own);
+        Mask below_second = both(below_first, is_above(priority_of(world, media.second, mask), own));
+        Mask below_third = both(below_second, is_above(priority_of(world, media.third, mask), own));
+        Mask below_fourth = both(below_third, is_above(priority_of(world, media.fourth, mask), own));
+        m.first = select(below_first, media.first, m.first);
+        m.second = select(below_first, select(below_second, media.second, material), m.second);
+        m.third = select(below_second, select(below_third, media.third, material), m.third);
+        m.fourth = select(below_third, select(below_fourth, media.fourth, material), m.fourth);
+    }
+    return m;
+}
+
+FN Media crossed(IN(WorldRecord) world, IN(Media) media, Int material, Mask inside, Mask mask) {
+    return select_media(inside, left(media, material), entered_in_order(world, media, material, without(mask, inside)));
+}
+
+FN Mask bends_nothing(IN(WorldRecord) world, Int material, Mask mask) {
+    Mask null_body = without(mask, mask);
+    Mask todo = both(mask, is_above(material, Int(-1)));
+    while (some(todo)) {
+        int number = first_of(material, todo);
+        Mask mine = both(todo, is_equal(material, Int(number)));
+        if (AT(world.media, number).refraction == REFRACTION_NONE) {
+            null_body = either(null_body, mine);
+        }
+        todo = without(todo, mine);
+    }
+    return null_body;
+}
+
+// The body whose refractive index fills the place: the first that is not closed in by a null border.
+FN Int bending_body(IN(WorldRecord) world, IN(Media) media, Mask mask) {
+    Int body = media.first;
+    Mask todo = bends_nothing(world, body, mask);
+    if (some(todo)) {
+        body = select(todo, media.second, body);
+        todo = bends_nothing(world, body, todo);
+        body = select(todo, media.third, body);
+        todo = bends_nothing(world, body, todo);
+        body = select(todo, media.fourth, body);
+        todo = bends_nothing(world, body, todo);
+        body = select(todo, Int(-1), body);
+    }
+    return body;
+}
+
+// What stands around the camera.
+FN Media media_of_camera(IN(WorldRecord) world) {
+    Media m;
+    m.first = Int(world.camera_first);
+    m.second = Int(world.camera_second);
+    m.third = Int(world.camera_third);
+    m.fourth = Int(world.camera_fourth);
+    return m;
+}
+
+NAMESPACE_END
+
+#endif

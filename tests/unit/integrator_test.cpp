@@ -1,0 +1,69 @@
+// Which way light is followed when nobody says.
+#include "lancer/scene/integrator.h"
+
+#include <gtest/gtest.h>
+
+namespace lancer::scene {
+namespace {
+
+Scene physical(bool glass, bool light_without_size) {
+    Scene scene;
+    scene.cameras.push_back({});
+    Material matt;
+    matt.model = DiffuseMaterial{};
+    scene.materials.push_back(matt);
+    if (glass) {
+        Material clear;
+        clear.model = DielectricMaterial{};
+        scene.materials.push_back(clear);
+    }
+    if (light_without_size) {
+        Light light;
+        light.model = PointLight{};
+        light.power = Rgb(1.0);
+        scene.lights.push_back(light);
+    }
+    scene.background.horizon = Rgb(0.1);
+    return scene;
+}
+
+TEST(Integrator, IsChosenByWhatTheSceneHas) {
+    EXPECT_EQ(choose_integrator(Scene{}).name, "whitted");
+    EXPECT_EQ(choose_integrator(physical(false, false)).name, "path");
+    EXPECT_EQ(choose_integrator(physical(false, true)).name, "path");
+    EXPECT_EQ(choose_integrator(physical(true, false)).name, "path");
+    EXPECT_EQ(choose_integrator(physical(true, true)).name, "vcm");
+    Scene rough = physical(true, true);
+    std::get<DielectricMaterial>(rough.materials[1].model).roughness = 0.5;
+    EXPECT_EQ(choose_integrator(rough).name, "path");
+}
+
+TEST(Integrator, ThatIsAskedForIsTaken) {
+    Scene scene = physical(true, true);
+    scene.settings.integrator = "light";
+    EXPECT_EQ(choose_integrator(scene).name, "light");
+}
+
+TEST(Integrator, IsNeverOneThatCantRenderTheScene) {
+    for (const auto& spoil : {+[](Scene& s) { s.materials[0].open_behind = true; }, +[](Scene& s) { s.settings.glossy_bounces = 2; },
+                              +[](Scene& s) { s.settings.aovs = {"albedo"}; }}) {
+        Scene scene = physical(true, true);
+        spoil(scene);
+        const IntegratorChoice choice = choose_integrator(scene);
+        EXPECT_EQ(choice.name, "path");
+        EXPECT_TRUE(obstacles(scene, choice.name).empty());
+        EXPECT_FALSE(choice.why.empty());
+    }
+    EXPECT_TRUE(obstacles(physical(true, true), "vcm").empty());
+}
+
+TEST(Integrator, OfLightAloneNeedsAPlaceToBegin) {
+    Scene scene = physical(false, false);
+    EXPECT_TRUE(obstacles(scene, "light").empty());
+    scene.objects.push_back({"floor", Plane{}, 0, glm::dmat4(1.0), {}});
+    EXPECT_FALSE(obstacles(scene, "light").empty());
+    EXPECT_TRUE(obstacles(scene, "bdpt").empty());
+}
+
+}  // namespace
+}  // namespace lancer::scene
