@@ -67,7 +67,8 @@ const Mistake whole_files[] = {
     {"UnknownTable", "[[spere]]\n" + rest, {":1:3: error: a scene has no \"spere\"; did you mean \"sphere\"?"}},
     {"UnknownOther",
      "[sky]\n" + rest,
-     {":1:2: error: a scene has no \"sky\"; there may be camera, light, material, medium, group, place, background, ambient, render, "
+     {":1:2: error: a scene has no \"sky\"; there may be camera, light, material, medium, group, place, include, background, ambient, "
+      "render, "
       "sphere, box, "
       "plane, disk, cylinder, cone, mesh"}},
     {"KeyOutsideOfItsTable", "size = [3, 4]\n" + rest, {":1:1: error: a scene has no \"size\"; it belongs below [render]"}},
@@ -130,7 +131,7 @@ const Mistake meshes[] = {
      "[[mesh]]\nfile = 'no.obj'\npositions = []\n",
      {":2:8: error: cannot read \"no.obj\": there is no such file", ":3:13: error: a mesh has either \"file\" or \"positions\""}},
     {"NoFile", "[[mesh]]\nfile = 'no.ply'\n", {":2:8: error: cannot read \"no.ply\": there is no such file"}},
-    {"OtherFile", "[[mesh]]\nfile = 'a.stl'\n", {":2:8: error: \"a.stl\": meshes are read from .obj and .ply files"}},
+    {"OtherFile", "[[mesh]]\nfile = 'a.stl'\n", {":2:8: error: \"a.stl\": meshes are read from .obj, .ply and .meshes files"}},
     {"NoCorner",
      "[[mesh]]\npositions = [[0,0,0],[1,0,0],[0,1,0]]\ntriangles = [[0,1,3]]\n",
      {":3:19: error: there is no corner 3: \"positions\" has 3, counted from 0"}},

@@ -135,7 +135,10 @@ private:
             const bool inside = std::visit(
                 [&](const auto& shape) {
                     if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, scene::Mesh>) {
-                        return facts(*shape.data).closed && lies_inside(*shape.data, local);
+                        const MeshFacts& known = facts(*shape.data);
+                        const bool is_near = glm::all(glm::greaterThan(local, glm::dvec3(known.low))) &&
+                                             glm::all(glm::lessThan(local, glm::dvec3(known.high)));
+                        return is_near && known.closed && lies_inside(*shape.data, local);
                     } else {
                         return lies_in(shape, local);
                     }

@@ -167,13 +167,6 @@ std::optional<ReadLight> read_light(Context& context, const toml::table& table) 
         return result;
     }
     light.color = read_color(context, reader, "color");
-    if (reader.has("power")) {
-        for (const char* key : {"intensity", "color"}) {
-            if (reader.has(key)) {
-                reader.error(key, fmt::format("a light has either \"power\", in physical scenes, or \"{}\"", key));
-            }
-        }
-    }
     const auto intensity = reader.number_if_written("intensity");
     result.has_intensity = reader.has("intensity") || light.power;
     light.intensity = intensity.value_or(0.0);
@@ -216,11 +209,27 @@ void share_out(Messages& messages, std::vector<ReadLight>& all) {
 
 }  // namespace
 
-void read_lights(Context& context, const toml::table& root) {
+void read_lights(Context& context, const std::vector<Included>& included, const toml::table& root) {
     std::vector<ReadLight> all;
+    for (const Included& part : included) {
+        for (const scene::Light& light : part.lights) {
+            all.push_back({light, true});
+        }
+    }
+    const std::size_t others = all.size();
     for (const toml::table* table : tables_of(context.messages, root, "light")) {
-        if (auto light = read_light(context, *table)) {
-            all.push_back(std::move(*light));
+        auto read = read_light(context, *table);
+        if (!read) {
+            continue;
+        }
+        const auto end = all.begin() + static_cast<std::ptrdiff_t>(others);
+        const auto same = read->light.name.empty() ? end : std::find_if(all.begin(), end, [&](const ReadLight& other) {
+            return other.light.name == read->light.name;
+        });
+        if (same != end) {
+            *same = std::move(*read);
+        } else {
+            all.push_back(std::move(*read));
         }
     }
     share_out(context.messages, all);

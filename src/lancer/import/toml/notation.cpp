@@ -73,6 +73,7 @@ std::span<const Section> file_sections() {
                                                          {Form::named, "medium", {&medium()}},
                                                          {Form::list, "group", {&group()}},
                                                          {Form::list, "place", {&place()}},
+                                                         {Form::list, "include", {&include()}},
                                                          {Form::color, "background", {&background()}},
                                                          {Form::single, "sky", {&clear_sky()}},
                                                          {Form::color, "ambient", {&ambient()}},

@@ -36,10 +36,12 @@ enum class Kind {
     material,    // a name, or a material written in place
     grid,        // { file = "smoke.vdb" }, { cells = [...], values = [...], min = [...], max = [...] }
     rotation,    // degrees about x, y, z; or { axis = [...], angle = ... }
+    matrix,      // twelve numbers: the upper three rows of a 4 x 4 matrix, one row after the other
     scale,       // 2 or [1, 2, 3]
     vectors3,    // a list of [x, y, z]
     vectors2,    // a list of [u, v]
     numbers,     // a list
+    texts,       // { name = "text", ... }
     triangles    // a list of [a, b, c], whole numbers from 0
 };
 
@@ -118,6 +120,7 @@ const Table& cone();
 const Table& mesh();
 const Table& place();
 const Table& group();
+const Table& include();
 const Table& background();
 const Table& clear_sky();
 const Table& ambient();

@@ -27,7 +27,7 @@ Table shape(std::string_view name, std::string_view what, std::string_view help,
     table.keys.insert(table.keys.end(), keys.begin(), keys.end());
     table.keys.push_back({"material", Kind::material, none, any, "", "The name of a [material.NAME], or a material written in place."});
     const Table& transform = place();
-    for (std::string_view key : {"scale", "rotate", "translate"}) {
+    for (std::string_view key : {"scale", "rotate", "translate", "matrix"}) {
         table.keys.push_back(*transform.find(key));
     }
     return table;
@@ -55,7 +55,7 @@ Table light(std::string_view type, std::string_view what, std::string_view help,
 
 Key light_power(std::string_view unit) {
     return {"power",      Kind::color, none,
-            not_negative, unit,        "For physical scenes, instead of intensity: what it gives, weighed by the eye; and its colour."};
+            not_negative, unit,        "For physical scenes: what it gives, weighed by the eye; and its colour. There it stands for color and intensity."};
 }
 
 Key thrown_power(std::string_view help) { return {"power", Kind::color, none, not_negative, "W/sr", help, true}; }
@@ -231,7 +231,9 @@ const Table& image() {
          {"uv_set", Kind::integer, 0.0, Range{0.0, 1.0}, "", "Which of a mesh's two sets of uv is meant."},
          {"scale", Kind::vector2, glm::dvec2(1.0), Range{-1e6, 1e6}, "", "How often the picture fits into one unit of u and v."},
          {"rotation", Kind::number, 0.0, Range{-36000.0, 36000.0}, "degrees", "Turns u and v, anticlockwise, after scale."},
-         {"offset", Kind::vector2, glm::dvec2(0.0), Range{-1e6, 1e6}, "", "Added to u and v at last."}}};
+         {"offset", Kind::vector2, glm::dvec2(0.0), Range{-1e6, 1e6}, "", "Added to u and v at last."},
+         {"tint", Kind::rgb, glm::dvec3(1.0), not_negative, "", "Multiplies its colours, not its alpha."},
+         {"vertex_colors", Kind::flag, false, any, "", "And so do the colours and alphas of the mesh's vertices."}}};
     return table;
 }
 
@@ -239,7 +241,8 @@ const Table& vertex_color() {
     static const Table table{"vertex_color",
                              "a vertex color",
                              "The colours that a mesh brings along for its vertices; white where it has none.",
-                             {{"type", Kind::choice, none, any, "", "vertex_color", true, {"vertex_color"}}}};
+                             {{"type", Kind::choice, none, any, "", "vertex_color", true, {"vertex_color"}},
+                              {"tint", Kind::rgb, glm::dvec3(1.0), not_negative, "", "Multiplies them."}}};
     return table;
 }
 
@@ -247,7 +250,8 @@ const Table& face_color() {
     static const Table table{"face_color",
                              "a face color",
                              "The colours that a mesh brings along for its faces; white where it has none.",
-                             {{"type", Kind::choice, none, any, "", "face_color", true, {"face_color"}}}};
+                             {{"type", Kind::choice, none, any, "", "face_color", true, {"face_color"}},
+                              {"tint", Kind::rgb, glm::dvec3(1.0), not_negative, "", "Multiplies them."}}};
     return table;
 }
 
@@ -300,7 +304,34 @@ const Table& place() {
          {"scale", Kind::scale, glm::dvec3(1.0), Range{-1e9, 1e9}, "", "Applied first: one number or one for each axis."},
          {"rotate", Kind::rotation, origin, Range{-1e6, 1e6}, "degrees",
           "Applied second: about x, then y, then z; or { axis = [x, y, z], angle = degrees }."},
-         {"translate", Kind::vector3, origin, any, "m", "Applied last."}}};
+         {"translate", Kind::vector3, origin, any, "m", "Applied last."},
+         {"matrix", Kind::matrix, none, Range{-1e15, 1e15}, "",
+          "Instead of these three: the upper three rows of a 4 x 4 matrix, one after the other; the fourth of each is in metres."}}};
+    return table;
+}
+
+const Table& include() {
+    static const Table table{
+        "include",
+        "an include",
+        "Another scene file, of any format that can be read, as a part of this one. What this file gives a name that the other one uses, "
+        "too, "
+        "is meant in both: materials, lights, cameras.",
+        {{"file", Kind::file, none, any, "", "The scene: .toml, .gltf, .glb, .pbrt, .xml, .obj or .ply, seen from the scene file's folder.",
+          true},
+         name_key("With a name it is a group: not seen until a [[place]] names it, and its lights and cameras are left out."),
+         {"material", Kind::material, none, any, "", "Replaces the materials of everything in it."},
+         {"lights", Kind::flag, true, any, "", "Whether its lights and surroundings shine here; shapes that are lamps always do."},
+         {"cameras", Kind::flag, true, any, "", "Whether its cameras are here as well, behind those of this file."},
+         {"settings", Kind::flag, true, any, "", "Whether what it says about rendering holds where this file's [render] says nothing."},
+         {"frame", Kind::number, 0.0, any, "s", "The moment of its animations (glTF)."},
+         {"scene", Kind::text, none, any, "", "Which of its scenes, by name or number from 0 (glTF)."},
+         {"variant", Kind::text, none, any, "", "Which of its sets of materials (glTF)."},
+         {"define", Kind::texts, none, any, "", "Values for its $parameters (Mitsuba)."},
+         *place().find("scale"),
+         *place().find("rotate"),
+         *place().find("translate"),
+         *place().find("matrix")}};
     return table;
 }
 
@@ -364,7 +395,8 @@ const Table& mesh() {
     static const Table table =
         shape("mesh", "a mesh", "Triangles, from a file or written here; counter-clockwise seen from outside.",
               {{"file", Kind::file, none, any, "",
-                "An .obj or .ply file, seen from the scene file's folder; instead of positions and triangles."},
+                "An .obj, .ply or .meshes file, seen from the scene file's folder; instead of positions and triangles."},
+               {"part", Kind::integer, 0.0, Range{0.0, 1e9}, "", "Which mesh of a .meshes file, counted from 0."},
                {"positions", Kind::vectors3, none, any, "m", "The corners, [x, y, z] each."},
                {"triangles", Kind::triangles, none, corner, "", "Three numbers of corners each, counted from 0."},
                {"normals", Kind::vectors3, none, Range{-1e6, 1e6}, "", "One for each corner."},
@@ -387,8 +419,10 @@ const Table& background() {
          {"image", Kind::file, none, any, "",
           "A latitude-longitude picture, twice as wide as high, best an .exr or .hdr; instead of colors. Its middle lies along "
           "-z, its right half towards +x."},
+         {"encoding", Kind::choice, "srgb", any, "", "How 8 and 16 bits store colours in the image.", false, {"srgb", "linear"}},
          {"rotation", Kind::number, 0.0, Range{-36000.0, 36000.0}, "degrees",
           "Turns the image about the y axis, counter-clockwise as seen from above."},
+         {"tint", Kind::rgb, glm::dvec3(1.0), not_negative, "", "Multiplies the colours of the image."},
          {"axes", Kind::vectors3, none, Range{-1.0, 1.0}, "",
           "Where x, y and z of the turned image lie: three directions of length 1, at right angles."},
          {"strength", Kind::number, 1.0, not_negative, "", "Times this."},
@@ -410,6 +444,8 @@ const Table& clear_sky() {
          {"elevation", Kind::number, none, Range{-18.0, 90.0}, "degrees",
           "Of the sun above the horizon; with azimuth, instead of place and time."},
          {"azimuth", Kind::number, none, Range{-360.0, 360.0}, "degrees", "Of the sun, from north over east."},
+         {"toward_sun", Kind::direction, none, any, "", "The direction towards the sun; instead of place and time, or elevation and azimuth."},
+         {"sun_distance", Kind::number, 1.0, Range{0.5, 2.0}, "au", "How far the sun is, in astronomical units; place and time know it."},
          {"heading", Kind::number, 0.0, Range{-360.0, 360.0}, "degrees", "Where -z looks, from north over east."},
          {"turbidity", Kind::number, 3.0, Range{1.0, 10.0}, "", "How hazy the air is: 1 pure, 2 to 3 clear, 10 thick haze."},
          {"ozone", Kind::number, 0.3, Range{0.0, 1.0}, "atm-cm", "The ozone overhead."},
