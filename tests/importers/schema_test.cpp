@@ -144,7 +144,7 @@ TEST(Schema, ListsEveryKeyWithHelp) {
     for (const Table* table : materials()) {
         check(*table, std::string(table->name) + "_material");
     }
-    for (const Table* table : {&camera(), &checker(), &image(), &place(), &group(), &background(), &ambient(), &render()}) {
+    for (const Table* table : {&camera(), &checker(), &image(), &place(), &group(), &background(), &clear_sky(), &ambient(), &render()}) {
         check(*table, std::string(table->name));
     }
     check(abbe_glass(), "abbe_glass");

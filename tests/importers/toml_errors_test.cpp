@@ -240,11 +240,17 @@ const Mistake materials[] = {
 };
 
 const Mistake lights[] = {
-    {"NoType", "[[light]]\nposition = [0, 0, 0]\n", {":1:1: error: a light needs \"type\": \"point\", \"spot\" or \"directional\""}},
+    {"NoType",
+     "[[light]]\nposition = [0, 0, 0]\n",
+     {":1:1: error: a light needs \"type\": \"point\", \"spot\", \"directional\", \"projector\", \"goniometric\" or \"ies\""}},
     {"Type",
      "[[light]]\ntype = 'pont'\n",
-     {":2:8: error: a light needs \"type\": \"point\", \"spot\" or \"directional\", not \"pont\"; did you mean \"point\"?"}},
-    {"TypeNoText", "[[light]]\ntype = 1\n", {":2:8: error: a light needs \"type\": \"point\", \"spot\" or \"directional\", not a number"}},
+     {":2:8: error: a light needs \"type\": \"point\", \"spot\", \"directional\", \"projector\", \"goniometric\" or \"ies\", not \"pont\"; "
+      "did you mean \"point\"?"}},
+    {"TypeNoText",
+     "[[light]]\ntype = 1\n",
+     {":2:8: error: a light needs \"type\": \"point\", \"spot\", \"directional\", \"projector\", \"goniometric\" or \"ies\", not a "
+      "number"}},
     {"Position", "[[light]]\ntype = 'point'\n", {":1:1: error: a point light needs \"position\""}},
     {"KeyOfAnotherType",
      "[[light]]\ntype = 'point'\nposition = [0, 0, 0]\nangle = 3\n",

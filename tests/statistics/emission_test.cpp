@@ -78,7 +78,10 @@ TEST(Emission, DirectionsHaveTheirDensity) {
                 const EmissionDensity d = emission_density(world, emitter, no_surface(), direction, vec3_all(0.0f), 1.0f, true);
                 return Pair{double(d.direction) * 4.0 * pi, 0.0};
             };
-            std::vector<double> expected = in_world.expect(density, 1e-5, sum, c.kind == EMITTER_SPOT ? 5 : 1);
+            std::vector<double> expected = in_world.expect(density, 1e-5, sum,
+                                                           c.kind == EMITTER_SPOT || c.kind == EMITTER_PROJECTOR ? 5
+                                                           : is_thrown(emitter)                                  ? 3
+                                                                                                                 : 1);
             EXPECT_NEAR(sum.density, 1.0, 4e-3);
             for (double& count : expected) {
                 count /= sum.density;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "lancer/import/ies/ies.h"
 #include "lancer/import/obj/obj.h"
 #include "lancer/import/ply/ply.h"
 #include "lancer/spectrum/curve_file.h"
@@ -84,6 +85,18 @@ std::optional<SpectralCurve> SceneFiles::curve(const std::string& path, const So
             add_to_hash(path, bytes->view());
             if (const auto curves = parse_curves(bytes->view(), path, 1, SpectralCurve::Beyond::constant, diagnostics_)) {
                 found->second = curves->front();
+            }
+        }
+    }
+    return found->second;
+}
+
+std::shared_ptr<const scene::Photometry> SceneFiles::photometry(const std::string& path, const SourcePosition& named_at) {
+    const auto [found, is_new] = photometries_.try_emplace(path);
+    if (is_new) {
+        if (const auto bytes = open(path, named_at)) {
+            if (auto read = read_ies(bytes->view(), path, diagnostics_)) {
+                found->second = std::make_shared<const scene::Photometry>(std::move(*read));
             }
         }
     }

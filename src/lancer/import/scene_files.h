@@ -38,6 +38,9 @@ public:
     // A measured curve of one value a wavelength, with the same value beyond its ends. Nothing when it can't be read, as above.
     std::optional<SpectralCurve> curve(const std::string& path, const SourcePosition& named_at);
 
+    // The intensities of an .ies file. Null when it can't be read, as above.
+    std::shared_ptr<const scene::Photometry> photometry(const std::string& path, const SourcePosition& named_at);
+
     // A grid of numbers, by the file's ending: .vdb, .vol or .raw. Nothing when it can't be read, as above.
     std::optional<VoxelFile> voxels(const std::string& path, const VoxelWords& words, const SourcePosition& named_at);
 
@@ -56,6 +59,7 @@ private:
     std::map<std::string, std::shared_ptr<const scene::TriangleMesh>> meshes_;
     std::map<std::string, bool> images_;
     std::map<std::string, std::optional<SpectralCurve>> curves_;
+    std::map<std::string, std::shared_ptr<const scene::Photometry>> photometries_;
 };
 
 }  // namespace lancer

@@ -144,7 +144,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     compile_sky(scene.background, *world, colors, diagnostics);
     compile_shapes(flat, *world, diagnostics);
     if (physical && !diagnostics.has_errors()) {
-        compile_emitters(scene, *world, colors, diagnostics);
+        compile_emitters(scene, *world, textures, colors, diagnostics);
         compile_emission(*world);
         compile_wavelengths(*world);
         if (world->has_media) {

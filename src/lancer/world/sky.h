@@ -8,7 +8,7 @@
 
 namespace lancer {
 
-// Fills world.sky, and reads its image into world.sky_texels.
+// Fills world.sky, and reads or computes its image into world.sky_texels.
 void compile_sky(const scene::Background& background, World& world, Colors& colors, Diagnostics& diagnostics);
 
 // Mean luminances over all directions.

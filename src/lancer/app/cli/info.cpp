@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -27,7 +28,8 @@ namespace {
 
 constexpr std::array<const char*, std::variant_size_v<scene::Shape>> shape_names = {"sphere",   "box",  "plane", "disk",
                                                                                     "cylinder", "cone", "mesh"};
-constexpr std::array<const char*, 3> light_names = {"point", "spot", "directional"};
+constexpr std::array<const char*, std::variant_size_v<decltype(scene::Light::model)>> light_names = {
+    "point", "spot", "directional", "projector", "goniometric", "ies"};
 
 // Everything that is seen, each group as often as it is placed.
 struct Count {

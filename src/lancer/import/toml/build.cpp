@@ -111,7 +111,7 @@ void build(Context& context, const toml::table& root) {
     const bool shines = std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return m.emission.has_value(); });
     const bool glows = std::any_of(scene.media.begin(), scene.media.end(),
                                    [](const scene::Medium& m) { return m.emission.spectrum || m.emission.rgb != scene::Rgb(0.0); });
-    if (scene.lights.empty() && !shines && !glows && !root.contains("background") && !root.contains("ambient")) {
+    if (scene.lights.empty() && !shines && !glows && !root.contains("background") && !root.contains("sky") && !root.contains("ambient")) {
         messages.error(whole_file,
                        "the scene is dark: it needs a [[light]], a material or medium with `emission`, a [background] or `ambient` light");
         return;

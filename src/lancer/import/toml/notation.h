@@ -85,6 +85,9 @@ const Table& camera();
 const Table& point_light();
 const Table& spot_light();
 const Table& directional_light();
+const Table& projector_light();
+const Table& goniometric_light();
+const Table& ies_light();
 const Table& whitted_material();
 const Table& diffuse_material();
 const Table& conductor_material();
@@ -116,6 +119,7 @@ const Table& mesh();
 const Table& place();
 const Table& group();
 const Table& background();
+const Table& clear_sky();
 const Table& ambient();
 const Table& render();
 

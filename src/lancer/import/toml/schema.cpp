@@ -186,7 +186,7 @@ Json definitions() {
     for (const Table* table : shapes()) {
         all[std::string(table->name)] = table_schema(*table);
     }
-    for (const Table* table : {&place(), &background(), &ambient(), &render()}) {
+    for (const Table* table : {&place(), &background(), &clear_sky(), &ambient(), &render()}) {
         all[std::string(table->name)] = table_schema(*table);
     }
 

@@ -1,6 +1,8 @@
 #include "lancer/import/toml/settings.h"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -8,6 +10,7 @@
 #include "lancer/base/file.h"
 #include "lancer/import/toml/colors.h"
 #include "lancer/import/toml/spectra.h"
+#include "lancer/scene/sun_position.h"
 
 namespace lancer::notation {
 
@@ -114,6 +117,56 @@ void read_background(Context& context, const toml::node& node) {
     }
 }
 
+void read_sky(Context& context, const toml::node& node, bool has_background) {
+    const toml::table* table = node.as_table();
+    if (!table) {
+        context.messages.error(context.messages.at(node),
+                               fmt::format("write [sky] instead of {}", node.is_array() ? "[[sky]]" : what_it_is(node)));
+        return;
+    }
+    TableReader reader(context.messages, *table, clear_sky());
+    if (has_background) {
+        reader.error(reader.position(), "a scene has either [background] or [sky]");
+    }
+    scene::ClearSky sky;
+    const double heading = reader.number("heading");
+    const bool by_time = reader.has("latitude") || reader.has("longitude") || reader.has("time");
+    const bool by_angles = reader.has("elevation") || reader.has("azimuth");
+    const auto has_all = [&](std::initializer_list<const char*> keys) {
+        return std::all_of(keys.begin(), keys.end(), [&](const char* key) { return reader.has(key); });
+    };
+    const auto latitude = reader.number_if_written("latitude"), longitude = reader.number_if_written("longitude");
+    const auto elevation = reader.number_if_written("elevation"), azimuth = reader.number_if_written("azimuth");
+    if (by_time == by_angles || (by_time && !has_all({"latitude", "longitude", "time"})) ||
+        (by_angles && !has_all({"elevation", "azimuth"}))) {
+        reader.error(reader.position(), "[sky] needs either \"latitude\", \"longitude\" and \"time\", or \"elevation\" and \"azimuth\"");
+    } else if (by_time) {
+        const auto days = scene::days_since_2000(reader.text("time"));
+        if (!days) {
+            reader.error("time", "expected a date and time from 1950 to 2050, such as \"2026-06-21T14:00:00+02:00\"");
+        } else if (latitude && longitude) {
+            const scene::SunPosition sun = scene::sun_position(*days, *latitude, *longitude);
+            sky.sun = scene::sun_direction(sun.elevation, sun.azimuth, heading);
+            sky.distance = sun.distance;
+            if (sun.elevation < -18.0) {
+                reader.error(
+                    "time", fmt::format("the sun is {:.1f} degrees below the horizon: there is no light of it in the air", -sun.elevation));
+            } else if (sun.elevation < 0.0) {
+                context.messages.note(reader.position("time"), fmt::format("the sun is {:.1f} degrees below the horizon", -sun.elevation));
+            }
+        }
+    } else if (elevation && azimuth) {
+        sky.sun = scene::sun_direction(*elevation, *azimuth, heading);
+    }
+    sky.turbidity = reader.number("turbidity");
+    sky.ozone = reader.number("ozone");
+    sky.ground = reader.number("ground");
+    sky.has_sun = reader.flag("sun");
+    context.scene.background.strength = reader.number("strength");
+    context.scene.background.visible = reader.flag("visible");
+    context.scene.background.sky = sky;
+}
+
 void read_ambient(Context& context, const toml::node& node) {
     if (const toml::table* table = node.as_table(); table && !is_spectrum(*table)) {
         TableReader reader(context.messages, *table, ambient());
@@ -169,6 +222,9 @@ void read_render(Context& context, const toml::node& node) {
 void read_settings(Context& context, const toml::table& root) {
     if (const toml::node* node = root.get("background")) {
         read_background(context, *node);
+    }
+    if (const toml::node* node = root.get("sky")) {
+        read_sky(context, *node, root.contains("background"));
     }
     if (const toml::node* node = root.get("ambient")) {
         read_ambient(context, *node);

@@ -33,21 +33,32 @@ Table shape(std::string_view name, std::string_view what, std::string_view help,
     return table;
 }
 
-Table light(std::string_view type, std::string_view what, std::string_view help, std::vector<Key> keys) {
+// What every kind of light has; `intensity`: whether it can have a share of a Whitted scene's light.
+Table light(std::string_view type, std::string_view what, std::string_view help, std::vector<Key> keys, Key power, bool shared = true) {
     Table table{type,
                 what,
                 help,
                 {{"type", Kind::choice, none, any, "", "What kind of light it is.", true, {type}}, name_key("A name, for messages.")}};
     table.keys.insert(table.keys.end(), keys.begin(), keys.end());
-    table.keys.push_back({"color", Kind::color, glm::dvec3(1.0), not_negative, "", "The colour of its light."});
-    table.keys.push_back({"power", Kind::color, none, not_negative, type == "directional" ? "W/m^2" : "W/sr",
-                          "For physical scenes, instead of intensity: what it gives, weighed by the eye; and its colour."});
-    table.keys.push_back(
-        {"intensity", Kind::number, none, Range{0.0, 1e6}, "",
-         "Its share of the light. The shares of all lights sum to 1; when they do not, they are scaled. Lights without one "
-         "have equal parts of what the others leave."});
+    if (shared) {
+        table.keys.push_back({"color", Kind::color, glm::dvec3(1.0), not_negative, "", "The colour of its light."});
+    }
+    table.keys.push_back(std::move(power));
+    if (shared) {
+        table.keys.push_back(
+            {"intensity", Kind::number, none, Range{0.0, 1e6}, "",
+             "Its share of the light. The shares of all lights sum to 1; when they do not, they are scaled. Lights without one "
+             "have equal parts of what the others leave."});
+    }
     return table;
 }
+
+Key light_power(std::string_view unit) {
+    return {"power",      Kind::color, none,
+            not_negative, unit,        "For physical scenes, instead of intensity: what it gives, weighed by the eye; and its colour."};
+}
+
+Key thrown_power(std::string_view help) { return {"power", Kind::color, none, not_negative, "W/sr", help, true}; }
 
 }  // namespace
 
@@ -79,25 +90,73 @@ const Table& camera() {
 
 const Table& point_light() {
     static const Table table = light("point", "a point light", "Light from a point, equal in all directions.",
-                                     {{"position", Kind::vector3, none, any, "m", "Where it stands.", true}});
+                                     {{"position", Kind::vector3, none, any, "m", "Where it stands.", true}}, light_power("W/sr"));
     return table;
 }
 
 const Table& spot_light() {
-    static const Table table =
-        light("spot", "a spot light", "A cone of light from a point.",
-              {{"position", Kind::vector3, none, any, "m", "Where it stands.", true},
-               {"direction", Kind::direction, none, any, "", "Where it shines; instead of look_at."},
-               {"look_at", Kind::vector3, none, any, "m", "The point that it shines at; instead of direction."},
-               {"angle", Kind::number, 30.0, Range{0.0, 180.0, true, true}, "degrees", "From the cone's axis to where the light ends."},
-               {"falloff", Kind::number, 5.0, Range{0.0, 180.0}, "degrees",
-                "Over how much of angle it fades, measured inwards; at most angle."}});
+    static const Table table = light(
+        "spot", "a spot light", "A cone of light from a point.",
+        {{"position", Kind::vector3, none, any, "m", "Where it stands.", true},
+         {"direction", Kind::direction, none, any, "", "Where it shines; instead of look_at."},
+         {"look_at", Kind::vector3, none, any, "m", "The point that it shines at; instead of direction."},
+         {"angle", Kind::number, 30.0, Range{0.0, 180.0, true, true}, "degrees", "From the cone's axis to where the light ends."},
+         {"falloff", Kind::number, 5.0, Range{0.0, 180.0}, "degrees", "Over how much of angle it fades, measured inwards; at most angle."}},
+        light_power("W/sr"));
     return table;
 }
 
 const Table& directional_light() {
-    static const Table table = light("directional", "a directional light", "Light from infinitely far away, such as the sun's.",
-                                     {{"direction", Kind::direction, none, any, "", "The way the light travels.", true}});
+    static const Table table =
+        light("directional", "a directional light", "Light from infinitely far away, such as the sun's.",
+              {{"direction", Kind::direction, none, any, "", "The way the light travels.", true}}, light_power("W/m^2"));
+    return table;
+}
+
+const Table& projector_light() {
+    static const Table table = light(
+        "projector", "a projector", "A picture thrown from a point (path).",
+        {{"position", Kind::vector3, none, any, "m", "Where it stands.", true},
+         {"direction", Kind::direction, none, any, "", "Where it shines; instead of look_at."},
+         {"look_at", Kind::vector3, none, any, "m", "The point in the middle of the picture; instead of direction."},
+         {"up", Kind::direction, upwards, any, "", "What is up in the picture."},
+         {"fov", Kind::number, 30.0, Range{0.0, 180.0, true, true}, "degrees", "Between two opposite edges of the picture."},
+         {"fov_axis",
+          Kind::choice,
+          "width",
+          any,
+          "",
+          "Whether fov spans the picture's width, its height, or the smaller of the two.",
+          false,
+          {"width", "height", "smaller"}},
+         {"image", Kind::file, none, any, "", "The picture, seen from the scene file's folder; a white square when not written."},
+         {"even", Kind::flag, true, any, "",
+          "Whether a screen at right angles is as bright at its edges as in the middle; else the light is as intense in each direction."}},
+        thrown_power("What it gives along its axis where the picture is white, weighed by the eye; and its colour."), false);
+    return table;
+}
+
+const Table& goniometric_light() {
+    static const Table table =
+        light("goniometric", "a goniometric light", "Light from a point, in each direction as intense as a picture says (path).",
+              {{"position", Kind::vector3, none, any, "m", "Where it stands.", true},
+               {"direction", Kind::direction, glm::dvec3(0.0, 0.0, -1.0), any, "", "Where the picture's middle points."},
+               {"up", Kind::direction, upwards, any, "", "Where the picture's top points."},
+               {"image", Kind::file, none, any, "",
+                "A latitude-longitude picture, twice as wide as high, of the directions as they are seen from the light.", true}},
+              thrown_power("What it gives where the picture is white, weighed by the eye; and its colour."), false);
+    return table;
+}
+
+const Table& ies_light() {
+    static const Table table =
+        light("ies", "a lamp with a photometric file", "Light from a point, as intense in each direction as was measured (path).",
+              {{"position", Kind::vector3, none, any, "m", "Where it stands.", true},
+               {"file", Kind::file, none, any, "", "An .ies file (ANSI/IES LM-63), seen from the scene file's folder.", true},
+               {"direction", Kind::direction, glm::dvec3(0.0, -1.0, 0.0), any, "", "The lamp's axis: where its vertical angle 0 points."},
+               {"forward", Kind::direction, glm::dvec3(1.0, 0.0, 0.0), any, "",
+                "Where its horizontal angle 0 points, as far as it can at right angles to the axis."}},
+              thrown_power("What each candela of the file is worth, weighed by the eye; and the colour of the light."), false);
     return table;
 }
 
@@ -332,6 +391,31 @@ const Table& background() {
           "Turns the image about the y axis, counter-clockwise as seen from above."},
          {"axes", Kind::vectors3, none, Range{-1.0, 1.0}, "",
           "Where x, y and z of the turned image lie: three directions of length 1, at right angles."},
+         {"strength", Kind::number, 1.0, not_negative, "", "Times this."},
+         {"visible", Kind::flag, true, any, "", "Whether the camera sees it, and not only what it lights (path)."}}};
+    return table;
+}
+
+const Table& clear_sky() {
+    static const Table table{
+        "sky",
+        "the sky",
+        "A clear sky with the sun, computed from what the air is made of (path; in colors for whitted). Instead of a background. Its unit "
+        "is "
+        "W/(m^2 sr nm).",
+        {{"latitude", Kind::number, none, Range{-90.0, 90.0}, "degrees", "The place, to the north; with longitude and time."},
+         {"longitude", Kind::number, none, Range{-180.0, 180.0}, "degrees", "The place, to the east."},
+         {"time", Kind::text, none, any, "",
+          "Date and time, such as \"2026-06-21T14:00:00+02:00\", with the difference from Universal Time; 1950 to 2050."},
+         {"elevation", Kind::number, none, Range{-18.0, 90.0}, "degrees",
+          "Of the sun above the horizon; with azimuth, instead of place and time."},
+         {"azimuth", Kind::number, none, Range{-360.0, 360.0}, "degrees", "Of the sun, from north over east."},
+         {"heading", Kind::number, 0.0, Range{-360.0, 360.0}, "degrees", "Where -z looks, from north over east."},
+         {"turbidity", Kind::number, 3.0, Range{1.0, 10.0}, "", "How hazy the air is: 1 pure, 2 to 3 clear, 10 thick haze."},
+         {"ozone", Kind::number, 0.3, Range{0.0, 1.0}, "atm-cm", "The ozone overhead."},
+         {"ground", Kind::number, 0.2, share, "",
+          "The share of light that the ground scatters back into the air; what is seen below the horizon."},
+         {"sun", Kind::flag, true, any, "", "Whether the sun itself is there, and not only its light in the air."},
          {"strength", Kind::number, 1.0, not_negative, "", "Times this."},
          {"visible", Kind::flag, true, any, "", "Whether the camera sees it, and not only what it lights (path)."}}};
     return table;
