@@ -148,9 +148,10 @@ void read_sky(Context& context, const toml::node& node, bool has_background) {
     if (reader.has("toward_sun") && !by_time && !by_angles) {
         sky.sun = reader.direction("toward_sun");
         sky.distance = reader.number("sun_distance");
-    } else if (reader.has("toward_sun") || reader.has("sun_distance") || by_time == by_angles || (by_time && !has_all({"latitude", "longitude", "time"})) ||
-        (by_angles && !has_all({"elevation", "azimuth"}))) {
-        reader.error(reader.position(), "[sky] needs either \"latitude\", \"longitude\" and \"time\", or \"elevation\" and \"azimuth\", or \"toward_sun\"");
+    } else if (reader.has("toward_sun") || reader.has("sun_distance") || by_time == by_angles ||
+               (by_time && !has_all({"latitude", "longitude", "time"})) || (by_angles && !has_all({"elevation", "azimuth"}))) {
+        reader.error(reader.position(),
+                     "[sky] needs either \"latitude\", \"longitude\" and \"time\", or \"elevation\" and \"azimuth\", or \"toward_sun\"");
     } else if (by_time) {
         const auto days = scene::days_since_2000(reader.text("time"));
         if (!days) {

@@ -54,8 +54,9 @@ Table light(std::string_view type, std::string_view what, std::string_view help,
 }
 
 Key light_power(std::string_view unit) {
-    return {"power",      Kind::color, none,
-            not_negative, unit,        "For physical scenes: what it gives, weighed by the eye; and its colour. There it stands for color and intensity."};
+    return {"power", Kind::color,
+            none,    not_negative,
+            unit,    "For physical scenes: what it gives, weighed by the eye; and its colour. There it stands for color and intensity."};
 }
 
 Key thrown_power(std::string_view help) { return {"power", Kind::color, none, not_negative, "W/sr", help, true}; }
@@ -444,7 +445,8 @@ const Table& clear_sky() {
          {"elevation", Kind::number, none, Range{-18.0, 90.0}, "degrees",
           "Of the sun above the horizon; with azimuth, instead of place and time."},
          {"azimuth", Kind::number, none, Range{-360.0, 360.0}, "degrees", "Of the sun, from north over east."},
-         {"toward_sun", Kind::direction, none, any, "", "The direction towards the sun; instead of place and time, or elevation and azimuth."},
+         {"toward_sun", Kind::direction, none, any, "",
+          "The direction towards the sun; instead of place and time, or elevation and azimuth."},
          {"sun_distance", Kind::number, 1.0, Range{0.5, 2.0}, "au", "How far the sun is, in astronomical units; place and time know it."},
          {"heading", Kind::number, 0.0, Range{-360.0, 360.0}, "degrees", "Where -z looks, from north over east."},
          {"turbidity", Kind::number, 3.0, Range{1.0, 10.0}, "", "How hazy the air is: 1 pure, 2 to 3 clear, 10 thick haze."},
