@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -138,7 +139,7 @@ TEST_P(Shared, StoppedAndResumedIsTheWhole) {
         through_file(film, next);
         EXPECT_TRUE(next.bytes() == film.bytes() || !finished);
         film.film = next.film;
-        film.sums = next.sums;
+        film.sums = std::move(next.sums);
         film.state.emplace(film.film, film.sums ? &*film.sums : nullptr, tile_size_for(options_));
         FilmFile(file_).add_to(*film.state);
     }

@@ -118,7 +118,8 @@ FN Vec2 sample_pair(IN(Sampler) start, UInt decision) {
 FN Float quartered_number(IN(Sampler) start, UInt sample_number, UInt decision) {
     UInt shift = scramble(start.key + decision);
     Float within = unit_interval(start.reversed + shift);
-    UInt quarter = (sample_number + (sample_number >> 2) + scramble(shift)) & UInt(3u);
+    UInt cell = (start.reversed + shift) >> 30;
+    UInt quarter = (cell + (sample_number >> 2) + scramble(shift)) & UInt(3u);
     return min((within + to_float(as_signed(quarter))) * Float(0.25f), Float(0.99999994f));
 }
 
