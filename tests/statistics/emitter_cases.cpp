@@ -122,7 +122,7 @@ std::vector<EmitterCase> emitter_cases() {
     add("projector", EMITTER_PROJECTOR, world_lit_by(projector));
     add("goniometric", EMITTER_GONIOMETRIC,
         world_lit_by(scene::GoniometricLight{{1.0, 2.0, 0.5}, {0.0, 0.3, -1.0}, {0.0, 1.0, 0.0}, bright_picture()}));
-    const scene::Photometry photometry{{0.0, 45.0, 90.0}, {0.0}, {3.0, 2.0, 1.0}};
+    const scene::Photometry photometry{{0.0, 45.0, 90.0, 180.0}, {0.0}, {3.0, 2.0, 1.0, 1.0}};
     add("photometric", EMITTER_IES,
         world_lit_by(
             scene::IesLight{{1.0, 2.0, 0.5}, {0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, std::make_shared<const scene::Photometry>(photometry)}));
