@@ -13,8 +13,9 @@ lock_build() {
 }
 release_build() { exec 9>&-; }
 
-# install_missing KIND...: installs the packages of cmake/packages.txt marked with one of the kinds, where dpkg says that they are missing.
-install_missing() {
+# find_missing KIND...: puts the packages of cmake/packages.txt that are marked with one of the kinds, and missing as dpkg says, into `missing`.
+find_missing() {
+    missing=()
     command -v dpkg-query >/dev/null || return 0  # not a Debian; CMake will say what it does not find
     local kind package rest wanted=" $* " packages=()
     while read -r kind package rest; do
@@ -22,10 +23,15 @@ install_missing() {
     done < <(sed 's/#.*//' "$top/cmake/packages.txt")
     local installed
     installed=$'\n'$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null || true)$'\n'
-    local missing=()
     for package in "${packages[@]}"; do
         [[ $installed == *$'\n'"installed $package"$'\n'* ]] || missing+=("$package")
     done
+}
+
+# install_missing KIND...: installs them.
+install_missing() {
+    local missing=()
+    find_missing "$@"
     [ ${#missing[@]} -eq 0 ] && return 0
 
     local as_root=()
@@ -35,7 +41,8 @@ Become root, or install sudo, or ask someone who can: apt-get install --no-insta
         as_root=(sudo)
     fi
     say "Installing ${#missing[@]} packages: ${missing[*]}"
-    local log="$top/build/apt.log" apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 -q -y)
+    # Runlevel 1: daemons are not started just because they are there.
+    local log="$top/build/apt.log" apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive RUNLEVEL=1 apt-get -o DPkg::Lock::Timeout=300 -q -y)
     { "${apt[@]}" update && "${apt[@]}" install --no-install-recommends "${missing[@]}"; } >"$log" 2>&1 9>&- || {
         tail -n 20 "$log" >&2
         give_up "The packages could not be installed; all that apt said is in $log"

@@ -93,3 +93,25 @@ aov indirect indirect.R,indirect.G,indirect.B --mulc 2 "${encoded[@]}"
 [ ${#wanted[@]} -gt 0 ] && [[ " ${wanted[*]} " != *" pbrt "* ]] ||
     "$lancer" render scenes/pbrt/still-life.pbrt -o docs/pictures/pbrt.png --size 640x360 --progress plain 2>/dev/null
 picture gltf gltf/still-life.glb --size 480x320 --spp 96
+
+# Light from the lamps
+picture prism-rainbow gallery/prism "${small[@]}" --spp 192
+picture ring gallery/ring "${small[@]}" --spp 96
+picture diamond-fire gallery/diamond-fire "${small[@]}" --spp 128
+picture pool gallery/pool "${small[@]}" --spp 48
+picture wine-glass gallery/wine-glass --size 400x400 --spp 48
+# About the same seconds on one machine.
+picture same-seconds-path features/both-ends --integrator path --size 400x300 --spp 96
+picture same-seconds-bdpt features/both-ends --integrator bdpt --size 400x300 --spp 24
+picture same-seconds-vcm features/both-ends --integrator vcm --size 400x300 --spp 18
+# film NAME SCENE FRAMES COLUMNSxROWS [OPTION...]: frames of an animation, side by side
+film() {
+    [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " == *" $1 "* ]] || return 0
+    local name=$1 scene=$2 frames=$3 grid=$4 folder
+    shift 4
+    folder=$(mktemp -d)
+    "$lancer" render "scenes/$scene" --frames "$frames" -o "$folder/f.####.png" --quiet "$@"
+    ffmpeg -v error -y -pattern_type glob -i "$folder/f.*.png" -vf "tile=$grid" "docs/pictures/$name.png"
+    rm -r "$folder"
+}
+film carousel gltf/carousel.gltf 0:84:12 4x2 --size 240x135 --spp 192

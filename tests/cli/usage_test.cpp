@@ -18,8 +18,8 @@ TEST(Help, IsSpeltInManyWays) {
     const Folder folder;
     const Finished plain = run_lancer(folder, {"--help"});
     EXPECT_EQ(plain.status, 0);
-    for (const char* word : {"view", "render", "info", "import", "compare", "figures", "schema", "bench", "--threads", "--render-all",
-                             "Example:", "Exit status"}) {
+    for (const char* word : {"view", "render", "info", "import", "compare", "movie", "farm", "figures", "schema", "bench", "--threads",
+                             "--render-all", "Example:", "Exit status"}) {
         EXPECT_THAT(plain.out, HasSubstr(word));
     }
     for (const char* spelling : {"-help", "-h"}) {

@@ -81,7 +81,7 @@ protected:
 TEST_P(SameBytes, ForAnyNumberOfThreads) {
     const std::unique_ptr<Device> device = this->device();
     const Film one = film_of(*device, options_);
-    for (const int threads : {2, 3, 16}) {
+    for (const int threads : {2, 3, 7, 16}) {
         options_.threads = threads;
         EXPECT_TRUE(same_bytes(one, film_of(*device, options_))) << threads << " threads";
     }
@@ -122,7 +122,9 @@ INSTANTIATE_TEST_SUITE_P(Golden, SameBytes,
                                          Case{"Light", "gallery/cornell-box.toml", false, Tracer::automatic, 3, "light"},
                                          Case{"BothEnds", "gallery/cornell-box.toml", false, Tracer::automatic, 3, "bdpt"},
                                          Case{"BothEndsInTheTree", "features/principled.toml", false, Tracer::tree, 2, "bdpt"},
-                                         Case{"Photons", "gallery/cornell-box.toml", false, Tracer::automatic, 2, "vcm"}),
+                                         Case{"Photons", "gallery/cornell-box.toml", false, Tracer::automatic, 1, "vcm"},
+                                         Case{"Fog", "features/fog-balls.toml", false, Tracer::automatic, 2},
+                                         Case{"CloudInTheTree", "features/fog-cloud.toml", false, Tracer::tree, 1}),
                          [](const auto& one) { return one.param.name; });
 
 TEST(SameBytes, BothTracersGiveTheSamePicture) {

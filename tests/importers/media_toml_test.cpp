@@ -111,6 +111,32 @@ interior = "a"
     EXPECT_EQ(medium.emission.rgb, scene::Rgb(1.0)) << "a factor of the black body";
 }
 
+// grids/tiny.vdb holds whole numbers "whole", which are not read; "density", three cells 0.5 m wide; and "color".
+TEST(MediaToml, ReadsOpenVdb) {
+    const auto read = [](const std::string& name) {
+        return read_text("[medium.a]\nscattering = [1, 1, 1]\ndensity = { file = '" + source_folder().string() +
+                         "/tests/importers/grids/tiny.vdb'" + name + " }\n[material.m]\ntype = 'null'\ninterior = 'a'\n" + rest);
+    };
+    const Reading first = read("");
+    if (first.all().find("libopenvdb-dev") != std::string::npos) {
+        GTEST_SKIP() << "lancer was built without OpenVDB: " << first.all();
+    }
+    ASSERT_TRUE(first.scene) << first.all();
+    const scene::Grid& density = first.scene->media.at(0).density.value();
+    EXPECT_EQ(density.data->size, glm::ivec3(2, 1, 3));
+    EXPECT_EQ(density.data->channels, 1);
+    EXPECT_EQ(density.data->values, std::vector<float>({0.25f, 0.5f, 0.0f, 0.0f, 0.0f, 0.0f})) << "what is below 0 is 0";
+    EXPECT_EQ(glm::dvec3(density.to_world * glm::dvec4(0, 0, 0, 1)), glm::dvec3(0.25, 0.75, 1.25));
+    EXPECT_EQ(glm::dvec3(density.to_world * glm::dvec4(1, 1, 1, 1)), glm::dvec3(1.25, 1.25, 2.75));
+    EXPECT_TRUE(density.fades);
+    const Reading color = read(", name = 'color', fades = false");
+    ASSERT_TRUE(color.scene) << color.all();
+    EXPECT_EQ(color.scene->media.at(0).density.value().data->values, std::vector<float>({1.0f, 0.5f, 0.25f}));
+    EXPECT_FALSE(color.scene->media.at(0).density.value().fades);
+    EXPECT_NE(read(", name = 'smoke'").all().find("has no grid \"smoke\"; there are whole, density, color"), std::string::npos);
+    EXPECT_NE(read(", name = 'whole'").all().find("which is not read"), std::string::npos);
+}
+
 TEST(MediaToml, SaysWhatIsWrong) {
     const TemporaryFolder folder;
     folder.write("short.raw", "1234");
@@ -134,7 +160,8 @@ TEST(MediaToml, SaysWhatIsWrong) {
         {"[medium.a]\ndensity = { cells = [1, 1, 1], values = [1], min = [0, 0, 0] }\n", "\"min\" and \"max\" belong together"},
         {"[medium.a]\ndensity = { cells = [1, 1, 1], values = [1], min = [0, 0, 0], max = [1, 0, 1] }\n", "along y they are 0 and 0"},
         {"[medium.a]\ndensity = { file = 'short.raw' }\n", "a .raw file needs \"cells\" beside it"},
-        {"[medium.a]\ndensity = { file = 'short.raw', cells = [2, 1, 1] }\n", "should have 8 bytes for 2 x 1 x 1 cells of 1 channel, and has 4"},
+        {"[medium.a]\ndensity = { file = 'short.raw', cells = [2, 1, 1] }\n",
+         "should have 8 bytes for 2 x 1 x 1 cells of 1 channel, and has 4"},
         {"[medium.a]\ndensity = { file = 'other.vol' }\n", "is no .vol file"},
         {"[medium.a]\ndensity = { file = 'short.txt' }\n", "short.txt"},
         {"[medium.a]\ntemperature = { cells = [1, 1, 1], values = [1] }\n", "this needs a \"density\" that is a grid, too"},

@@ -237,7 +237,8 @@ TEST_F(Mitsuba, ThePrincipledPairIsBurleys) {
 }
 
 TEST_F(Mitsuba, SpectraStaySpectra) {
-    const scene::Scene scene = good(R"(<shape type="sphere"><bsdf type="diffuse"><spectrum name="reflectance" value="400:0.2, 700:0.8"/></bsdf>
+    const scene::Scene scene =
+        good(R"(<shape type="sphere"><bsdf type="diffuse"><spectrum name="reflectance" value="400:0.2, 700:0.8"/></bsdf>
         <emitter type="area"><spectrum name="radiance" value="2"/></emitter></shape>)");
     const auto& color = std::get<scene::Color>(std::get<scene::DiffuseMaterial>(scene.materials.at(0).model).color);
     ASSERT_TRUE(color.spectrum);

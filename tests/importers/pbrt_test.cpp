@@ -249,8 +249,8 @@ TEST(Pbrt, SkiesOfPicturesOfBothLayouts) {
         square.replace(head + i * 12, 12, reinterpret_cast<const char*>(bright), 12);
     }
     folder.write("square.pfm", square);
-    const Reading r =
-        read_path(folder.write("scene.pbrt", "WorldBegin\nRotate -90 1 0 0\nLightSource \"infinite\" \"string filename\" \"square.pfm\"\n"
+    const Reading r = read_path(folder.write("scene.pbrt",
+                                             "WorldBegin\nRotate -90 1 0 0\nLightSource \"infinite\" \"string filename\" \"square.pfm\"\n"
                                              "Shape \"sphere\"\n"));
     ASSERT_TRUE(r.scene) << r.all();
     ASSERT_TRUE(r.scene->background.image);

@@ -67,7 +67,8 @@ const Mistake whole_files[] = {
     {"UnknownTable", "[[spere]]\n" + rest, {":1:3: error: a scene has no \"spere\"; did you mean \"sphere\"?"}},
     {"UnknownOther",
      "[sky]\n" + rest,
-     {":1:2: error: a scene has no \"sky\"; there may be camera, light, material, medium, group, place, background, ambient, render, sphere, box, "
+     {":1:2: error: a scene has no \"sky\"; there may be camera, light, material, medium, group, place, background, ambient, render, "
+      "sphere, box, "
       "plane, disk, cylinder, cone, mesh"}},
     {"KeyOutsideOfItsTable", "size = [3, 4]\n" + rest, {":1:1: error: a scene has no \"size\"; it belongs below [render]"}},
     {"OneInsteadOfMany", "[sphere]\n[camera]\n", {":1:1: error: there may be several, so write [[sphere]] instead of [sphere]"}},
@@ -161,7 +162,8 @@ const Mistake materials[] = {
     {"List", "[[material]]\n", {":1:1: error: materials are written as [material.NAME], not as [[material]]"}},
     {"Model",
      "[material.m]\ntype = 'phong'\n",
-     {":2:8: error: there is no material of type \"phong\"; known are whitted, diffuse, conductor, dielectric, plastic, principled, mix, null"}},
+     {":2:8: error: there is no material of type \"phong\"; known are whitted, diffuse, conductor, dielectric, plastic, principled, "
+      "burley, mix, null"}},
     {"Key", "[material.m]\nrefectivity = 1\n", {":2:1: error: a material has no \"refectivity\"; did you mean \"reflectivity\"?"}},
     {"NegativeShare", "[material.m]\ndiffuse = -0.1\n", {":2:11: error: \"diffuse\" must be from 0 to 1, not -0.1"}},
     {"LargeShare", "[material.m]\nreflectivity = 1.5\n", {":2:16: error: \"reflectivity\" must be from 0 to 1, not 1.5"}},

@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <set>
 #include <thread>
 #include <vector>
@@ -107,10 +108,13 @@ double rms_difference(const Film& a, const Film& b) {
 
 TEST(Tiles, CoverEachPixelOnce) {
     std::vector<Tile> tiles = cut_tiles(75, 41, 16);
-    shuffle_tiles(tiles, 7);
+    std::vector<std::size_t> order(tiles.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    shuffle(order, 7);
     EXPECT_EQ(tiles.size(), 5u * 3u);
     std::vector<int> visits(75 * 41, 0);
-    for (const Tile& tile : tiles) {
+    for (const std::size_t i : order) {
+        const Tile& tile = tiles[i];
         for (int y = tile.y0; y < tile.y1; ++y) {
             for (int x = tile.x0; x < tile.x1; ++x) {
                 ++visits.at(static_cast<std::size_t>(y * 75 + x));

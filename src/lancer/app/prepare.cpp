@@ -85,6 +85,15 @@ void choose_lights(scene::Scene& scene, const std::vector<std::string>& names, D
     scene.lights = std::move(kept);
 }
 
+// A line for each file: its hash and its name.
+std::string inputs_in_words(const scene::Scene& scene) {
+    std::string lines;
+    for (const scene::InputFile& input : scene.inputs) {
+        lines += fmt::format("{}{} {}", lines.empty() ? "" : "\n", input.hash, input.path);
+    }
+    return lines;
+}
+
 Metadata describe(const scene::Scene& scene, const std::string& command) {
     const scene::RenderSettings& settings = scene.settings;
     return {
@@ -93,6 +102,8 @@ Metadata describe(const scene::Scene& scene, const std::string& command) {
         {"lancer:command", command},
         {"lancer:scene", scene.file},
         {"lancer:hash", scene.hash},
+        {"lancer:inputs", inputs_in_words(scene)},
+        {"lancer:seed", fmt::format("{}", settings.seed)},
         {"lancer:camera", scene.cameras.front().name},
         {"lancer:integrator", scene::chosen_integrator(scene)},
         {"lancer:bounces", fmt::format("{}", scene::bounces_of(scene))},
@@ -255,6 +266,7 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
         prepared.names = names_of(*world);
     }
     prepared.world = world;
+    prepared.threads = prepared.options.threads;
 
     CpuOptions cpu;
     cpu.tracer = tracer_named(arguments.trace);

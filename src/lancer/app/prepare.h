@@ -17,14 +17,19 @@
 
 namespace lancer::app {
 
-struct Prepared {
-    scene::Scene scene;  // as it is rendered: its settings, cameras and lights are those asked for
-    RenderOptions options;
-    std::unique_ptr<Device> device;
+// What files are made of, besides a film.
+struct Presentation {
     Metadata metadata;  // for every picture made of it
     ViewTransform view;
     PictureContents contents;  // of EXR files
     PictureNames names;        // where these contents need them
+    int threads = 0;           // that develop it; 0: all
+};
+
+struct Prepared : Presentation {
+    scene::Scene scene;  // as it is rendered: its settings, cameras and lights are those asked for
+    RenderOptions options;
+    std::unique_ptr<Device> device;
     std::shared_ptr<const World> world;
 };
 

@@ -59,20 +59,20 @@ FilmSums::FilmSums(int width, int height, const FilmLayers& layers) : width_(wid
 
 void FilmSums::add(std::size_t pixel, const PathSamples& samples) {
     assert(samples.direct.empty() == !layers_.direct && samples.first_hits.empty() == !layers_.first_hits());
-    glm::dvec3 sum(0.0), squares(0.0), direct(0.0);
-    std::uint32_t count = 0;
+    // Sample by sample onto what there is, so that it makes no difference how the samples were cut into ranges.
+    glm::dvec3 sum = sums_[pixel];
     for (std::size_t i = 0; i < samples.radiance.size(); ++i) {
         if (!is_number(samples.radiance[i])) {
             continue;
         }
-        ++count;
+        ++counts_[pixel];
         const glm::dvec3 value = wide(samples.radiance[i]);
         sum += value;
         if (layers_.variance) {
-            squares += value * value;
+            squares_[pixel] += value * value;
         }
         if (layers_.direct) {
-            direct += wide(samples.direct[i]);
+            direct_[pixel] += wide(samples.direct[i]);
         }
         if (layers_.surface) {
             add_hit(samples.first_hits[i], surfaces_[pixel]);
@@ -85,13 +85,66 @@ void FilmSums::add(std::size_t pixel, const PathSamples& samples) {
             add_bins(pixel, samples.spectra[i]);
         }
     }
-    counts_[pixel] += count;
-    sums_[pixel] += sum;
-    if (layers_.variance) {
-        squares_[pixel] += squares;
+    sums_[pixel] = sum;
+}
+
+namespace {
+
+void put_ids(const IdCounts& counts, ByteWriter& bytes) {
+    bytes.put(static_cast<std::uint32_t>(counts.size()));
+    for (const auto& [id, count] : counts) {
+        bytes.put(id);
+        bytes.put(count);
     }
-    if (layers_.direct) {
-        direct_[pixel] += direct;
+}
+
+void get_ids(IdCounts& counts, ByteReader& bytes) {
+    std::uint32_t size = 0;
+    bytes.get(size);
+    counts.clear();
+    for (std::uint32_t i = 0; i < size && bytes.good(); ++i) {
+        auto& [id, count] = counts.emplace_back(0, 0u);
+        bytes.get(id);
+        bytes.get(count);
+    }
+}
+
+}  // namespace
+
+// Every plane that there is, and how many values of it belong to a pixel.
+template <class Sums, class Visit>
+void FilmSums::visit_planes(Sums& sums, const Visit& visit) {
+    visit(sums.counts_, 1);
+    visit(sums.sums_, 1);
+    visit(sums.squares_, 1);
+    visit(sums.direct_, 1);
+    visit(sums.surfaces_, 1);
+    visit(sums.bins_, sums.layers_.spectral_bins);
+}
+
+void FilmSums::save(std::size_t first, std::size_t count, ByteWriter& bytes) const {
+    visit_planes(*this, [&](const auto& plane, int of_pixel) {
+        if (!plane.empty()) {
+            const std::size_t each = static_cast<std::size_t>(of_pixel);
+            bytes.put_all(std::span(plane).subspan(first * each, count * each));
+        }
+    });
+    for (std::size_t i = first; i < first + count && layers_.ids; ++i) {
+        put_ids(objects_[i], bytes);
+        put_ids(materials_[i], bytes);
+    }
+}
+
+void FilmSums::load(std::size_t first, std::size_t count, ByteReader& bytes) {
+    visit_planes(*this, [&](auto& plane, int of_pixel) {
+        if (!plane.empty()) {
+            const std::size_t each = static_cast<std::size_t>(of_pixel);
+            bytes.get_all(std::span(plane).subspan(first * each, count * each));
+        }
+    });
+    for (std::size_t i = first; i < first + count && layers_.ids; ++i) {
+        get_ids(objects_[i], bytes);
+        get_ids(materials_[i], bytes);
     }
 }
 

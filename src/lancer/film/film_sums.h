@@ -1,6 +1,7 @@
 // What a picture of the path integrator rests on: sums over the samples of each pixel, and how many there were.
 //
-// A pixel's sums grow by whole ranges of samples in the order in which these are added: whoever adds them in the same order has the same bits.
+// A pixel's sums grow sample by sample in the order in which these are added: whoever adds them in the same order has the same bits, however
+// the samples were cut into ranges.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "lancer/film/bytes.h"
 #include "lancer/film/path_samples.h"
 
 namespace lancer {
@@ -25,6 +27,7 @@ struct FilmLayers {
     bool splats = false;  // light that falls anywhere
 
     bool first_hits() const { return surface || ids; }
+    bool operator==(const FilmLayers&) const = default;
 };
 
 struct SurfaceSums {
@@ -67,7 +70,13 @@ public:
     // Mean spectral radiance over the bin, per nanometre. Bins split the visible, 360 to 830 nm, evenly.
     float spectral(std::size_t pixel, int bin) const;
 
+    // The sums of so many pixels in a row, bit for bit.
+    void save(std::size_t first, std::size_t count, ByteWriter& bytes) const;
+    void load(std::size_t first, std::size_t count, ByteReader& bytes);
+
 private:
+    template <class Sums, class Visit>
+    static void visit_planes(Sums& sums, const Visit& visit);
     void add_bins(std::size_t pixel, const SpectralSample& sample);
 
     int width_;

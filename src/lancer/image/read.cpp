@@ -180,9 +180,7 @@ Image decoded(StoredPixels stored, Encoding encoding, bool& encoded) {
 
 }  // namespace
 
-Image read_image(const std::string& path, Encoding encoding, bool& encoded) {
-    return decoded(read_stored_pixels(path), encoding, encoded);
-}
+Image read_image(const std::string& path, Encoding encoding, bool& encoded) { return decoded(read_stored_pixels(path), encoding, encoded); }
 
 StoredPixels read_stored_pixels(std::string_view bytes, const std::string& name) {
     const MemoryFile file(bytes);

@@ -25,62 +25,9 @@ std::string folder_of(const std::string& path) {
     return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
-// A file in `folder` that did not exist, removed again unless it was renamed.
-class TemporaryFile {
-public:
-    TemporaryFile(const std::string& path, const std::string& folder) : path_(path) {
-        static std::atomic<unsigned> count = 0;
-        do {  // a name may be left over from a process that was killed
-            name_ = fmt::format("{}/.lancer-{}-{}.part", folder, ::getpid(), count++);
-            descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        } while (descriptor_ < 0 && (errno == EEXIST || errno == EINTR));
-        if (descriptor_ < 0) {
-            fail(path_, errno);
-        }
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
-        if (descriptor_ >= 0) {
-            ::close(descriptor_);
-        }
-        if (!renamed_) {
-            ::unlink(name_.c_str());
-        }
-    }
-
-    void write(std::string_view bytes) {
-        while (!bytes.empty()) {
-            const ssize_t written = ::write(descriptor_, bytes.data(), std::min<std::size_t>(bytes.size(), 1u << 30));
-            if (written < 0 && errno != EINTR) {
-                fail(path_, errno);
-            }
-            bytes.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
-        }
-    }
-
-    void rename() {
-        const int closed = ::close(descriptor_);  // network file systems report a full disk here
-        descriptor_ = -1;
-        if (closed != 0 && errno != EINTR) {
-            fail(path_, errno);
-        }
-        if (std::rename(name_.c_str(), path_.c_str()) != 0) {
-            fail(path_, errno);
-        }
-        renamed_ = true;
-    }
-
-private:
-    std::string path_;
-    std::string name_;
-    int descriptor_ = -1;
-    bool renamed_ = false;
-};
-
 }  // namespace
 
-void replace_file(const std::string& path, std::string_view bytes) {
+ReplacementFile::ReplacementFile(const std::string& path) : path_(path) {
     const std::string folder = folder_of(path);
     struct stat status {};
     if (::stat(folder.c_str(), &status) != 0) {
@@ -90,9 +37,62 @@ void replace_file(const std::string& path, std::string_view bytes) {
     if (::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) {
         fail(path, EISDIR);
     }
-    TemporaryFile file(path, folder);
+    static std::atomic<unsigned> count = 0;
+    do {  // a name may be left over from a process that was killed
+        name_ = fmt::format("{}/.lancer-{}-{}.part", folder, ::getpid(), count++);
+        descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (descriptor_ < 0 && (errno == EEXIST || errno == EINTR));
+    if (descriptor_ < 0) {
+        fail(path_, errno);
+    }
+}
+
+ReplacementFile::~ReplacementFile() {
+    if (descriptor_ >= 0) {
+        ::close(descriptor_);
+    }
+    if (!in_place_) {
+        ::unlink(name_.c_str());
+    }
+}
+
+void ReplacementFile::write(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor_, bytes.data(), std::min<std::size_t>(bytes.size(), 1u << 30));
+        if (written < 0 && errno != EINTR) {
+            fail(path_, errno);
+        }
+        bytes.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
+    }
+}
+
+void ReplacementFile::flush() {
+    while (::fdatasync(descriptor_) != 0) {
+        if (errno == EINVAL || errno == ENOSYS) {
+            return;  // a file system that knows no such thing
+        }
+        if (errno != EINTR) {
+            fail(path_, errno);
+        }
+    }
+}
+
+void ReplacementFile::put_in_place() {
+    const int closed = ::close(descriptor_);  // network file systems report a full disk here
+    descriptor_ = -1;
+    if (closed != 0 && errno != EINTR) {
+        fail(path_, errno);
+    }
+    if (std::rename(name_.c_str(), path_.c_str()) != 0) {
+        fail(path_, errno);
+    }
+    in_place_ = true;
+}
+
+void replace_file(const std::string& path, std::string_view bytes) {
+    ReplacementFile file(path);
     file.write(bytes);
-    file.rename();
+    file.put_in_place();
 }
 
 }  // namespace lancer

@@ -74,6 +74,7 @@ std::optional<scene::Scene> import_scene(const std::string& path, const ImportOp
     ImportContext context{path, options, files, report, ours};
     format->read(context, scene);
     scene.hash = files.hash();
+    scene.inputs = files.inputs();
     const bool failed = ours.has_errors();
     diagnostics.append(std::move(ours));
     return failed ? std::nullopt : std::optional<scene::Scene>(std::move(scene));

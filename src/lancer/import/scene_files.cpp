@@ -26,13 +26,18 @@ bool SceneFiles::is_allowed(const std::string& path, const SourcePosition& named
     return true;
 }
 
+void SceneFiles::add_to_hash(const std::string& path, std::string_view bytes) {
+    hashes_.push_back(hash_bytes(bytes));
+    inputs_.push_back({path, to_hexadecimal(hashes_.back())});
+}
+
 std::optional<FileBytes> SceneFiles::open(const std::string& path, const SourcePosition& named_at) {
     if (!is_allowed(path, named_at)) {
         return std::nullopt;
     }
     auto bytes = read_file(path, named_at, diagnostics_);
     if (bytes) {
-        add_to_hash(bytes->view());
+        add_to_hash(path, bytes->view());
     }
     return bytes;
 }
@@ -76,7 +81,7 @@ std::optional<SpectralCurve> SceneFiles::curve(const std::string& path, const So
     const auto [found, is_new] = curves_.try_emplace(path);
     if (is_new) {
         if (const auto bytes = read_file(path, named_at, diagnostics_)) {
-            add_to_hash(bytes->view());
+            add_to_hash(path, bytes->view());
             if (const auto curves = parse_curves(bytes->view(), path, 1, SpectralCurve::Beyond::constant, diagnostics_)) {
                 found->second = curves->front();
             }

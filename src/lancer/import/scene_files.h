@@ -27,7 +27,7 @@ public:
     // Any file, read and hashed. In a sandbox, files outside the scene's folder are errors.
     std::optional<FileBytes> open(const std::string& path, const SourcePosition& named_at);
 
-    void add_to_hash(std::string_view bytes) { hashes_.push_back(hash_bytes(bytes)); }
+    void add_to_hash(const std::string& path, std::string_view bytes);
 
     // By the file's ending, .obj or .ply. Null when it can't be read; the diagnostics say why, once for each file.
     std::shared_ptr<const scene::TriangleMesh> mesh(const std::string& path, const SourcePosition& named_at);
@@ -43,6 +43,7 @@ public:
 
     // Of everything so far, in the order of reading; hexadecimal.
     std::string hash() const;
+    const std::vector<scene::InputFile>& inputs() const { return inputs_; }
 
 private:
     bool is_allowed(const std::string& path, const SourcePosition& named_at);
@@ -51,6 +52,7 @@ private:
     ImportOptions options_;
     Diagnostics& diagnostics_;
     std::vector<Hash> hashes_;
+    std::vector<scene::InputFile> inputs_;
     std::map<std::string, std::shared_ptr<const scene::TriangleMesh>> meshes_;
     std::map<std::string, bool> images_;
     std::map<std::string, std::optional<SpectralCurve>> curves_;

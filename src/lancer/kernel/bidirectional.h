@@ -38,6 +38,43 @@ FN_LARGE FilmSplat light_step(IN(WorldRecord) world, int depth, Float light_path
     return splat;
 }
 
+// ---- Lamps and sky that are seen at once, or in mirrors and through smooth glass alone. --------------------------------------------------------
+//
+// Only the camera finds them, whatever is followed from the lamps; and what they need is edges without steps. So each sample of a path that is
+// joined comes with some of these, which cost little.
+
+const int GLANCES = 4;  // for each sample
+
+FN Subpath start_glance(IN(WorldRecord) world, Float pixel_x, Float pixel_y, UInt key, UInt number, Mask alive) {
+    return start_from_camera(world, pixel_x, pixel_y, scramble(key ^ UInt(0x4c4f4f4bu)), number, Float(1.0f), alive);
+}
+
+FN_LARGE void glance_step(IN(WorldRecord) world, int depth, INOUT(Subpath) sub, INOUT(RayTally) tally) {
+    if (depth == 0) {
+        tally.camera += lanes_in(sub.path.alive);
+    } else {
+        tally.secondary += lanes_in(sub.path.alive);
+    }
+    Meeting met;
+    BidirVertex v;
+    meet_vertex(world, depth, false, sub, met, v);
+    Spectrum light = met.surface.emission;
+    if (world.environment >= 0 && (depth > 0 || world.sky.visible != 0) && some(met.missed)) {
+        light = select(met.missed, sky_radiance(world, sub.path.direction, sub.path.nanometres, met.missed), light);
+    }
+    sub.path.radiance =
+        select(either(met.here, met.missed), sub.path.radiance + first_alone(sub.path.throughput * light, sub.single), sub.path.radiance);
+    Mask matt = either(is_equal(v.closure.kind, Int(BSDF_DIFFUSE)), is_equal(v.closure.kind, Int(BSDF_ROUGH_DIFFUSE)));
+    sub.path.alive = without(both(sub.path.alive, met.here), matt);
+    if (depth >= world.max_depth) {
+        sub.path.alive = nowhere();
+    }
+    if (some(sub.path.alive)) {
+        scatter_subpath(world, depth, false, met.surface.material, met.surface.inside, v, no_merging(), sub);
+        sub.path.alive = both(sub.path.alive, sub.straight);
+    }
+}
+
 // ---- Light that the camera's half meets by itself. ------------------------------------------------------------------------------------------
 
 FN Float weight_of_met(IN(Ways) before, Float asked, Float sent, Float cosine) {
@@ -47,24 +84,21 @@ FN Float weight_of_met(IN(Ways) before, Float asked, Float sent, Float cosine) {
 }
 
 // `before`: the ways to the ray that has met it.
-FN void meet_sky_both_ways(IN(WorldRecord) world, int depth, IN(Ways) before, Mask missed, INOUT(Subpath) sub) {
+FN void meet_sky_both_ways(IN(WorldRecord) world, IN(Ways) before, Mask missed, INOUT(Subpath) sub) {
     Spectrum sky = sky_radiance(world, sub.path.direction, sub.path.nanometres, missed);
-    Float weight = Float(1.0f);
-    if (depth > 0) {
-        Float density = sky_density(world, sub.path.direction, missed);
-        Float asked = emitter_chance(world, sub.path.origin, sub.path.facing, Int(world.environment), missed) * density;
-        Float place = select(comes_through_disk(world, sub.path.origin, -sub.path.direction), scene_disk_density(world), Float(0.0f));
-        Float sent = emission_chance(world, world.environment, missed) * place * density;
-        weight = weight_of_met(before, asked, sent, Float(1.0f));
-    }
+    Float density = sky_density(world, sub.path.direction, missed);
+    Float asked = emitter_chance(world, sub.path.origin, sub.path.facing, Int(world.environment), missed) * density;
+    Float place = select(comes_through_disk(world, sub.path.origin, -sub.path.direction), scene_disk_density(world), Float(0.0f));
+    Float sent = emission_chance(world, world.environment, missed) * place * density;
+    Float weight = weight_of_met(before, asked, sent, Float(1.0f));
     Spectrum brought = first_alone(sub.path.throughput * sky * weight, sub.single);
     sub.path.radiance = select(missed, sub.path.radiance + brought, sub.path.radiance);
 }
 
-FN void meet_lamp_both_ways(IN(WorldRecord) world, int depth, IN(Ways) before, IN(Meeting) met, Mask shining, INOUT(Subpath) sub) {
+FN void meet_lamp_both_ways(IN(WorldRecord) world, IN(Ways) before, IN(Meeting) met, Mask shining, INOUT(Subpath) sub) {
     Float weight = Float(1.0f);
     Mask compared = both(shining, is_above(met.surface.emitter, Int(-1)));
-    if (depth > 0 && some(compared)) {
+    if (some(compared)) {
         Float chance = emitter_chance(world, sub.path.origin, sub.path.facing, met.surface.emitter, compared);
         Mask todo = compared;
         while (some(todo)) {
@@ -83,7 +117,7 @@ FN void meet_lamp_both_ways(IN(WorldRecord) world, int depth, IN(Ways) before, I
     sub.path.radiance = select(shining, sub.path.radiance + brought, sub.path.radiance);
 }
 
-// The vertex of a path from the camera after `depth` others: what it meets, what it asks for, and its joints with the `kept` vertices of the same lane's path of light. The light
+// The vertex of a path from the camera after `depth` others: what it meets but for what glances see, what it asks for, and its joints with the `kept` vertices of the same lane's path of light. The light
 // found so far is `sub.path.radiance`. `gathers`: whether photons are merged.
 FN_LARGE void camera_step(IN(WorldRecord) world, int depth, int kept, bool gathers, IN(PhotonField) field, IN(MergeWeights) merging,
                           INOUT(Subpath) sub, INOUT(RayTally) tally) {
@@ -96,14 +130,14 @@ FN_LARGE void camera_step(IN(WorldRecord) world, int depth, int kept, bool gathe
     Meeting met;
     BidirVertex v;
     meet_vertex(world, depth, false, sub, met, v);
-    bool seen = depth > 0 || world.sky.visible != 0;
-    if (world.environment >= 0 && seen && some(met.missed)) {
-        meet_sky_both_ways(world, depth, before, met.missed, sub);
+    Mask sky = without(met.missed, sub.straight);
+    if (world.environment >= 0 && some(sky)) {
+        meet_sky_both_ways(world, before, sky, sub);
     }
     if (some(met.here)) {
-        Mask shining = without(met.here, is_black(met.surface.emission));
+        Mask shining = without(without(met.here, sub.straight), is_black(met.surface.emission));
         if (some(shining)) {
-            meet_lamp_both_ways(world, depth, before, met, shining, sub);
+            meet_lamp_both_ways(world, before, met, shining, sub);
         }
         if (depth >= world.max_depth) {
             sub.path.alive = nowhere();

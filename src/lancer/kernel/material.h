@@ -60,8 +60,8 @@ struct PathVertex {
     Closure closure;
     Spectrum emission;
     Int material;
-    Int emitter;  // -1: none
-    Mask inside;  // the path comes from within
+    Int emitter;   // -1: none
+    Mask inside;   // the path comes from within
     Vec3 smooth_;  // the shading normal before it was bent, and how rough that made it; -1: not at all, or that is not asked for
     Float hills;
     Vec3 albedo;  // linear RGB; this and `uv` where `world.watched`

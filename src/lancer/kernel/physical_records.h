@@ -28,7 +28,7 @@ const int BSDF_PLASTIC = 6;
 const int BSDF_PRINCIPLED = 7;
 const int BSDF_BURLEY = 8;
 const int BSDF_KINDS = 9;
-const int BSDF_NULL = 9;  // the border of a medium: light passes as if there were nothing
+const int BSDF_NULL = 15;  // the border of a medium: light passes as if there were nothing
 
 // How media scatter, see volume/phase.h.
 const int PHASE_HENYEY_GREENSTEIN = 16;
@@ -201,7 +201,7 @@ struct SkyRecord {
     int width;
     int height;
     float turn;  // about +y, in full turns
-    int tilted;    // 1: what the turned image takes for x, y and z are these
+    int tilted;  // 1: what the turned image takes for x, y and z are these
     vec3 x_axis;
     vec3 y_axis;
     vec3 z_axis;

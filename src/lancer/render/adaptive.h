@@ -22,7 +22,7 @@ struct AdaptiveOptions {
     int depth = 3;            // a pixel's cells are at least 2^-depth pixels wide
 };
 
-class AdaptiveSampler : public TileSampler {
+class AdaptiveSampler : public WholeTileSampler {
 public:
     // Large tiles, because corners on the border between two are followed twice; smaller ones when the lattice is very fine.
     static int tile_size(int depth);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lancer/device/device.h"
+#include "lancer/film/film_state.h"
 
 namespace lancer {
 
@@ -21,15 +22,15 @@ class BadSamples {
 public:
     static constexpr std::size_t kept = 8;
 
-    void add(const BadSample& sample);
-    void add(const BadSamples& others);
+    BadSamples() = default;
+    // What a film has left out. The first few are followed again, to see where they went wrong.
+    BadSamples(const Device& device, const FilmState& state);
 
     std::uint64_t count() const { return count_; }
     const std::vector<BadSample>& first() const { return first_; }
-    void find_faults(const Device& device);
 
 private:
-    void keep(const BadSample& sample);
+    void look_for(const Device& device, int x, int y, int samples);
 
     std::uint64_t count_ = 0;
     std::vector<BadSample> first_;

@@ -7,43 +7,53 @@
 #include <glm/vec3.hpp>
 
 #include "lancer/film/film_sums.h"
-#include "lancer/render/bad_samples.h"
 #include "lancer/render/sampler.h"
 
 namespace lancer {
 
-// The samples that one pass over the picture takes of each pixel.
+// The samples that one round takes of each pixel of a tile.
 struct PathPass {
     int first_sample = 0;
-    int sample_count = 0;
+    int sample_count = 0;  // 0: there are enough
 };
 
-// All passes for `spp` samples a pixel: few samples first, more later.
-std::vector<PathPass> path_passes(int spp);
+// What follows after so many samples a pixel on the way to `spp`: few samples first, more later.
+PathPass next_pass(int samples, int spp);
 
-class PathSampler : public TileSampler {
+// Takes ranges of samples and adds them to the sums; keeps its buffers.
+class PathTracer {
 public:
-    static constexpr int tile_size = 32;
+    PathTracer(const Device& device, const FilmLayers& layers) : device_(device), layers_(layers) {}
 
-    // `sums` holds what the passes before this one have found. A pixel's sums grow by whole passes, in their order, so they do not depend on
-    // threads or tiles. Samples that are left out are noted in `bad`.
-    PathSampler(const Device& device, const PathPass& pass, FilmSums& sums, BadSamples& bad)
-        : device_(device), pass_(pass), sums_(sums), bad_(bad) {}
-
-    bool render_tile(const Tile& tile, Film& film, RayCounts& counts, const std::atomic<bool>* cancel) override;
+    // Follows the paths of a range. What they bring is kept here.
+    void trace(const PathRange& range, RayCounts& counts);
+    // Adds what the last range brought to the film. The caller has the tile's lock.
+    void put(FilmState& state);
 
 private:
-    void note_bad(int x, int y, std::span<const glm::vec3> radiance);
-
     const Device& device_;
-    PathPass pass_;
-    FilmSums& sums_;
-    BadSamples& bad_;
+    FilmLayers layers_;
+    PathRange range_;
     std::vector<glm::vec3> radiance_;
     std::vector<glm::vec3> direct_;
     std::vector<FirstHit> first_hits_;
     std::vector<SpectralSample> spectra_;
     std::vector<Splat> splats_;
+};
+
+// Every pixel gets as many samples.
+class PathSampler : public TileSampler {
+public:
+    static constexpr int tile_size = 32;
+
+    // `state` has sums.
+    PathSampler(const Device& device, const FilmState& state, int spp) : tracer_(device, state.sums()->layers()), spp_(spp) {}
+
+    RoundOutcome render_round(FilmState& state, std::size_t tile, RayCounts& counts, const std::atomic<bool>* cancel) override;
+
+private:
+    PathTracer tracer_;
+    int spp_;
 };
 
 }  // namespace lancer

@@ -4,9 +4,9 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -23,111 +23,121 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-FilmLayers splat_layers(const Device& device) {
-    FilmLayers layers;
-    layers.splats = device.makes_splats();
-    return layers;
-}
-
 // One render: the tiles that are left, and what the threads have found so far.
 class Work {
 public:
-    Work(const Device& device, const RenderOptions& options, Film& film, RenderObserver* observer, const std::atomic<bool>* cancel,
-         FilmSums* sums)
-        : device_(device), options_(options), film_(film), observer_(observer), cancel_(cancel), curve_(options.exposure) {
-        passes_ = options.spp > 0 ? path_passes(options.spp) : std::vector<PathPass>{{0, 1}};
-        if (options.spp > 0) {
-            sums_ = sums;
-            if (sums == nullptr) {
-                sums_ = &own_sums_.emplace(options.width, options.height, splat_layers(device));
-            }
-        } else if (!options.adaptive) {
+    Work(const Device& device, const RenderOptions& options, FilmState& state, RenderObserver* observer, const std::atomic<bool>* cancel)
+        : device_(device), options_(options), state_(state), observer_(observer), cancel_(cancel), curve_(options.exposure) {
+        if (options.spp == 0 && !options.adaptive) {
             patterns_.emplace(options.width, options.height, options.ssaa, device.lanes());
         }
-        tiles_ = cut_tiles(options.width, options.height,
-                           options.spp > 0    ? PathSampler::tile_size
-                           : options.adaptive ? AdaptiveSampler::tile_size(options.adaptive_depth)
-                                              : UniformPatterns::tile_size);
-        if (options.shuffle != 0) {
-            shuffle_tiles(tiles_, options.shuffle);
+        left_ = own_tiles();
+        for (const std::size_t tile : left_) {
+            const Tile& place = state.tiles()[tile];
+            progress_.pixels_total += area(place) * std::max(options.spp, 1);
+            progress_.pixels_done += done_before(tile);
         }
-        progress_.pixels_total = static_cast<std::int64_t>(options.width) * options.height * std::max(options.spp, 1);
+        done_at_start_ = progress_.pixels_done;
     }
 
-    // All passes, one after another, each on all threads.
+    // Round after round, each on all threads, until no tile is left.
     void run(int threads) {
-        for (const PathPass& pass : passes_) {
-            pass_ = pass;
-            next_tile_ = 0;
+        while (!left_.empty() && !is_cancelled(cancel_)) {
+            next_ = 0;
+            unfinished_.assign(left_.size(), 1);
             run_on_threads(threads, [&] { take_tiles(); });
-        }
-        if (sums_ != nullptr && sums_->splats() != nullptr) {
-            // What fell on a pixel after its own last sample.
-            for (std::size_t i = 0; i < film_.radiance.size(); ++i) {
-                film_.radiance[i] = sums_->mean(i);
-            }
-        }
-    }
-
-private:
-    // What one thread does: takes tiles until none is left.
-    void take_tiles() {
-        RayCounts counts;
-        BadSamples bad_samples;
-        const std::unique_ptr<TileSampler> sampler = make_sampler(bad_samples);
-        std::uint64_t bad = 0;
-        std::size_t first_bad = no_pixel;
-        while (!is_cancelled(cancel_)) {
-            const std::size_t next = next_tile_.fetch_add(1, std::memory_order_relaxed);
-            if (next >= tiles_.size()) {
-                break;
-            }
-            const Tile& tile = tiles_[next];
-            const std::uint64_t samples_before = counts.camera;
-            if (!sampler->render_tile(tile, film_, counts, cancel_)) {
-                break;
-            }
-            for (int y = tile.y0; y < tile.y1; ++y) {
-                for (std::size_t i = film_.index(tile.x0, y); i < film_.index(tile.x0, y) + static_cast<std::size_t>(tile.width()); ++i) {
-                    const glm::vec3& c = film_.radiance[i];
-                    if (!(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z))) {
-                        ++bad;
-                        first_bad = std::min(first_bad, i);
-                    }
+            std::size_t kept = 0;
+            for (std::size_t i = 0; i < left_.size(); ++i) {
+                if (unfinished_[i] != 0) {
+                    left_[kept++] = left_[i];
                 }
             }
-            tell(tile, counts.camera - samples_before);
+            left_.resize(kept);
         }
-        const std::scoped_lock lock(mutex_);
-        counts_ += counts;
-        bad_samples_.add(bad_samples);
-        bad_ += bad;
-        first_bad_ = std::min(first_bad_, first_bad);
+        const FilmSums* sums = state_.sums();
+        if (sums != nullptr && sums->splats() != nullptr) {
+            // What fell on a pixel after its own last sample.
+            for (std::size_t i = 0; i < state_.film().radiance.size(); ++i) {
+                state_.film().radiance[i] = sums->mean(i);
+            }
+        }
     }
 
-public:
     RenderStatistics statistics() const {
         RenderStatistics result;
         result.rays = counts_;
         result.samples = progress_.samples_done;
         result.seconds = seconds();
-        result.finished = progress_.pixels_done == progress_.pixels_total;
-        result.bad_samples = bad_samples_;
-        result.bad_samples.find_faults(device_);
-        result.bad_pixels = bad_;
-        if (first_bad_ != no_pixel) {
-            result.bad_x = static_cast<int>(first_bad_ % static_cast<std::size_t>(options_.width));
-            result.bad_y = static_cast<int>(first_bad_ / static_cast<std::size_t>(options_.width));
+        result.finished = left_.empty();
+        result.bad_samples = BadSamples(device_, state_);
+        const Film& film = state_.film();
+        for (int y = 0; y < film.height; ++y) {
+            for (int x = 0; x < film.width; ++x) {
+                const glm::vec3& c = film.radiance[film.index(x, y)];
+                if (!(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z)) && result.bad_pixels++ == 0) {
+                    result.bad_x = x;
+                    result.bad_y = y;
+                }
+            }
         }
         return result;
     }
 
 private:
-    static constexpr std::size_t no_pixel = std::numeric_limits<std::size_t>::max();
+    static std::int64_t area(const Tile& tile) { return static_cast<std::int64_t>(tile.width()) * tile.height(); }
 
-    std::unique_ptr<TileSampler> make_sampler(BadSamples& bad) {
+    std::vector<std::size_t> own_tiles() const {
+        std::vector<std::size_t> order(state_.tiles().size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        if (options_.shuffle != 0) {
+            shuffle(order, options_.shuffle);
+        }
+        const std::vector<int> shards = shards_of_tiles(order.size(), options_.shards);
+        std::erase_if(order, [&](std::size_t tile) { return shards[tile] != options_.shard; });
+        return order;
+    }
+
+    std::int64_t done_before(std::size_t tile) const {
+        const Tile& place = state_.tiles()[tile];
+        if (options_.spp == 0) {
+            return state_.rounds(tile) > 0 ? area(place) : 0;
+        }
+        std::int64_t samples = 0;
+        for (int y = place.y0; y < place.y1; ++y) {
+            for (int x = place.x0; x < place.x1; ++x) {
+                samples +=
+                    std::min(static_cast<std::int64_t>(state_.film().samples[state_.film().index(x, y)]), std::int64_t{options_.spp});
+            }
+        }
+        return samples;
+    }
+
+    // What one thread does: takes tiles until none is left.
+    void take_tiles() {
+        RayCounts counts;
+        const std::unique_ptr<TileSampler> sampler = make_sampler();
+        while (!is_cancelled(cancel_)) {
+            const std::size_t next = next_.fetch_add(1, std::memory_order_relaxed);
+            if (next >= left_.size()) {
+                break;
+            }
+            const std::uint64_t samples_before = counts.camera;
+            const RoundOutcome outcome = sampler->render_round(state_, left_[next], counts, cancel_);
+            if (outcome == RoundOutcome::cancelled) {
+                break;
+            }
+            unfinished_[next] = outcome == RoundOutcome::unfinished ? 1 : 0;
+            if (counts.camera > samples_before) {
+                tell(state_.tiles()[left_[next]], counts.camera - samples_before);
+            }
+        }
+        const std::scoped_lock lock(mutex_);
+        counts_ += counts;
+    }
+
+    std::unique_ptr<TileSampler> make_sampler() {
         if (options_.spp > 0) {
-            return std::make_unique<PathSampler>(device_, pass_, *sums_, bad);
+            return std::make_unique<PathSampler>(device_, state_, options_.spp);
         }
         if (options_.adaptive) {
             const AdaptiveOptions adaptive = {options_.adaptive_threshold, options_.adaptive_depth};
@@ -138,13 +148,13 @@ private:
 
     void tell(const Tile& tile, std::uint64_t samples) {
         const std::scoped_lock lock(mutex_);
-        progress_.pixels_done += static_cast<std::int64_t>(tile.width()) * tile.height() * pass_.sample_count;
+        progress_.pixels_done += options_.spp > 0 ? static_cast<std::int64_t>(samples) : area(tile);
         progress_.samples_done += samples;
         if (observer_ != nullptr) {
             progress_.seconds = seconds();
             const double left = static_cast<double>(progress_.pixels_total - progress_.pixels_done);
-            progress_.seconds_left = progress_.seconds * left / static_cast<double>(progress_.pixels_done);
-            observer_->tile_done(film_, tile, progress_);
+            progress_.seconds_left = progress_.seconds * left / static_cast<double>(progress_.pixels_done - done_at_start_);
+            observer_->tile_done(state_.film(), tile, progress_);
         }
     }
 
@@ -152,46 +162,77 @@ private:
 
     const Device& device_;
     const RenderOptions& options_;
-    Film& film_;
+    FilmState& state_;
     RenderObserver* observer_;
     const std::atomic<bool>* cancel_;
     DisplayCurve curve_;
     std::optional<UniformPatterns> patterns_;
-    std::vector<PathPass> passes_;
-    PathPass pass_;
-    std::optional<FilmSums> own_sums_;  // where nobody else wants them
-    FilmSums* sums_ = nullptr;
-    std::vector<Tile> tiles_;
+    std::vector<std::size_t> left_;  // tiles that are not finished, in the order of work
+    std::vector<char> unfinished_;   // of these: whether they are left after this round
+    std::int64_t done_at_start_ = 0;
     Clock::time_point start_ = Clock::now();
 
-    std::atomic<std::size_t> next_tile_{0};
+    std::atomic<std::size_t> next_{0};
     std::mutex mutex_;  // guards what follows, and lets one thread at a time speak to the observer
     RenderProgress progress_;
     RayCounts counts_;
-    BadSamples bad_samples_;
-    std::uint64_t bad_ = 0;
-    std::size_t first_bad_ = no_pixel;
 };
 
 }  // namespace
 
 int hardware_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
-RenderStatistics render(const Device& device, const RenderOptions& options, Film& film, RenderObserver* observer,
-                        const std::atomic<bool>* cancel, FilmSums* sums) {
-    assert(options.width >= 1 && options.height >= 1 && film.width == options.width && film.height == options.height);
+int tile_size_for(const RenderOptions& options) {
+    return options.spp > 0    ? PathSampler::tile_size
+           : options.adaptive ? AdaptiveSampler::tile_size(options.adaptive_depth)
+                              : UniformPatterns::tile_size;
+}
+
+std::vector<int> shards_of_tiles(std::size_t tiles, int shards) {
+    constexpr std::uint32_t deal = 0x5eed;  // one for all: every machine deals the same way
+    std::vector<std::size_t> order(tiles);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    shuffle(order, deal);
+    std::vector<int> owners(tiles, 1);
+    for (std::size_t i = 0; i < tiles && shards > 1; ++i) {
+        owners[order[i]] = static_cast<int>(i % static_cast<std::size_t>(shards)) + 1;
+    }
+    return owners;
+}
+
+bool is_finished(const RenderOptions& options, const FilmState& state, std::size_t tile) {
+    const Tile& place = state.tiles()[tile];
+    return options.spp == 0 ? state.rounds(tile) > 0
+                            : state.film().samples[state.film().index(place.x0, place.y0)] >= static_cast<std::uint32_t>(options.spp);
+}
+
+RenderStatistics render(const Device& device, const RenderOptions& options, FilmState& state, RenderObserver* observer,
+                        const std::atomic<bool>* cancel) {
+    assert(options.width >= 1 && options.height >= 1 && state.film().width == options.width && state.film().height == options.height);
     assert(options.ssaa >= 1 && options.ssaa <= max_ssaa);
     assert(options.adaptive_depth >= 0 && options.adaptive_depth <= max_adaptive_depth);
     assert(options.threads >= 0 && options.threads <= max_threads);
+    assert(options.shard >= 1 && options.shard <= options.shards && options.shards <= max_shards);
+    assert((state.sums() != nullptr) == (options.spp > 0) && state.tile_size() == tile_size_for(options));
 
-    assert(sums == nullptr || (sums->width() == options.width && sums->height() == options.height));
-
-    Work work(device, options, film, observer, cancel, sums);
+    Work work(device, options, state, observer, cancel);
     const int threads = options.threads > 0 ? options.threads : hardware_threads();
     work.run(threads);
     RenderStatistics result = work.statistics();
     result.threads = threads;
     return result;
+}
+
+RenderStatistics render(const Device& device, const RenderOptions& options, Film& film, RenderObserver* observer,
+                        const std::atomic<bool>* cancel, FilmSums* sums) {
+    std::optional<FilmSums> own;  // where nobody else wants them
+    if (options.spp > 0 && sums == nullptr) {
+        FilmLayers layers;
+        layers.splats = device.makes_splats();
+        sums = &own.emplace(options.width, options.height, layers);
+    }
+    FilmState state(film, options.spp > 0 ? sums : nullptr, tile_size_for(options));
+    return render(device, options, state, observer, cancel);
 }
 
 }  // namespace lancer

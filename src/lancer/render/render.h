@@ -1,5 +1,5 @@
 // Which work next: cuts the picture into tiles, has a device follow their samples on all threads, and keeps count.
-// The same settings give the same bytes whatever the number of threads and the order of the tiles.
+// The same settings give the same bytes whatever the number of threads, the order of the tiles, and the machines that share them.
 #pragma once
 
 #include <atomic>
@@ -9,9 +9,10 @@
 
 #include "lancer/device/device.h"
 #include "lancer/film/film.h"
+#include "lancer/film/film_state.h"
 #include "lancer/film/film_sums.h"
+#include "lancer/film/tiles.h"
 #include "lancer/render/bad_samples.h"
-#include "lancer/render/tiles.h"
 
 namespace lancer {
 
@@ -26,17 +27,30 @@ struct RenderOptions {
     int adaptive_depth = 3;            // how often at most
     double exposure = 0.0;             // stops; the comparison is made after it
     std::uint32_t shuffle = 0;         // 0: tiles row by row; otherwise the seed of another order. The picture is the same
+    int shard = 1;                     // of `shards` shares of the tiles, only this one is rendered
+    int shards = 1;
 };
 
 constexpr int max_ssaa = 64;
 constexpr int max_adaptive_depth = 8;
 constexpr int max_threads = 1024;
+constexpr int max_shards = 1000000;
+
+// The side of the tiles that a film is cut into for these options, in pixels.
+int tile_size_for(const RenderOptions& options);
+
+// Which of `shards` shares of the work each tile of a picture belongs to, from 1 on: as good as at random, so that each share has its part of what
+// is hard, and as even as the number of tiles allows.
+std::vector<int> shards_of_tiles(std::size_t tiles, int shards);
+
+// Whether nothing is left to do for a tile.
+bool is_finished(const RenderOptions& options, const FilmState& state, std::size_t tile);
 
 // What a render tells while it runs. Called from worker threads, one call at a time.
 struct RenderProgress {
     std::int64_t pixels_done = 0;  // paths: times the samples of each
     std::int64_t pixels_total = 0;
-    std::uint64_t samples_done = 0;  // camera samples
+    std::uint64_t samples_done = 0;  // camera samples, since the start
     double seconds = 0.0;            // since the start
     double seconds_left = 0.0;       // estimated
 };
@@ -64,8 +78,13 @@ public:
     virtual void tile_done(const Film& film, const Tile& tile, const RenderProgress& progress) = 0;
 };
 
-// Renders into `film`, which has the options' size. Stops soon after `cancel` becomes true: the tiles that are done stay in the film.
-// `observer` may be null. `sums`, if not null, empty and of the film's size, receives what the path integrator's picture rests on. The options must be in range (ssaa, depth and threads up to the limits above, sizes at least 1).
+// Goes on with a film, which has the options' size and tiles, and sums of samples for the path integrator alone: from nothing, or from what it has.
+// Stops soon after `cancel` becomes true; all work that was done is in the film then. `observer` and `cancel` may be null. The options must be in
+// range (ssaa, depth and threads up to the limits above, sizes at least 1).
+RenderStatistics render(const Device& device, const RenderOptions& options, FilmState& state, RenderObserver* observer = nullptr,
+                        const std::atomic<bool>* cancel = nullptr);
+
+// From nothing into `film`. `sums`, if not null, empty and of the film's size, receives what the path integrator's picture rests on.
 RenderStatistics render(const Device& device, const RenderOptions& options, Film& film, RenderObserver* observer = nullptr,
                         const std::atomic<bool>* cancel = nullptr, FilmSums* sums = nullptr);
 

@@ -41,7 +41,7 @@ private:
     std::map<std::pair<int, int>, SamplePattern> patterns_;
 };
 
-class UniformSampler : public TileSampler {
+class UniformSampler : public WholeTileSampler {
 public:
     UniformSampler(const Device& device, const UniformPatterns& patterns) : device_(device), patterns_(patterns) {}
     bool render_tile(const Tile& tile, Film& film, RayCounts& counts, const std::atomic<bool>* cancel) override;

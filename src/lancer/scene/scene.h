@@ -138,7 +138,7 @@ struct ConductorMaterial {
     std::string metal;                // a name that spectrum/metal.h knows; empty: n and k, or `color` alone
     Texture color = Color(Rgb(1.0));  // of a metal with an index, a tint: white in nature
     Value roughness = 0.0;
-    Value anisotropy = 0.0;                    // how much smoother along u than along v, 0 to 1
+    Value anisotropy = 0.0;                 // how much smoother along u than along v, 0 to 1
     std::optional<Index> n = std::nullopt;  // both or none
     std::optional<Index> k = std::nullopt;
     Facets facets = {};
@@ -184,8 +184,6 @@ struct PrincipledMaterial {
     double dispersion = 0.0;  // of the clear body: 20 / Abbe number, as glTF has it
 };
 
-// A border with nothing to be seen of it, between one medium and another of the same refractive index, such as that of a cloud.
-struct NullMaterial {};
 // Burley's surface, after what was published of it: scenes of other programs are made for it. It is bright where PrincipledMaterial is true.
 struct BurleyMaterial {
     Texture color = Color(Rgb(0.5));
@@ -203,6 +201,9 @@ struct BurleyMaterial {
     bool thin = false;        // a sheet: no metal, no coat
     Value passes = 0.0;       // of a sheet: the share of the diffuse light that goes through, 0 to 1
 };
+
+// A border with nothing to be seen of it, between one medium and another of the same refractive index, such as that of a cloud.
+struct NullMaterial {};
 
 // Light that a surface gives by itself.
 struct Emission {
@@ -224,12 +225,13 @@ struct Relief {
     double scale = 1.0;                             // of x and y
     bool flips_green = false;                       // y grows downwards
     std::optional<Value> heights = std::nullopt;    // metres outwards, of which only the slopes are seen
+    bool shadows = false;                           // light that comes slantwise is dimmed as if the relief hid it from itself
 };
 
 struct Material {
     std::string name;  // empty when written in place
-    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial, BurleyMaterial,
-                 MixMaterial, NullMaterial>
+    std::variant<WhittedMaterial, DiffuseMaterial, ConductorMaterial, DielectricMaterial, PlasticMaterial, PrincipledMaterial,
+                 BurleyMaterial, MixMaterial, NullMaterial>
         model;
     SourcePosition position;
     std::optional<Emission> emission = std::nullopt;
@@ -411,9 +413,9 @@ struct Background {
     Color nadir;
     std::optional<ImageTexture> image = std::nullopt;  // its middle lies along -z, its right half towards +x, its top along +y
     double rotation = 0.0;                             // of the image about +y: degrees, counter-clockwise as seen from above
-    glm::dmat3 axes{1.0};  // where x, y and z of the turned image lie, column by column: length 1, at right angles; of either hand
-    double strength = 1.0;                             // times this
-    bool visible = true;                               // to the camera itself
+    glm::dmat3 axes{1.0};   // where x, y and z of the turned image lie, column by column: length 1, at right angles; of either hand
+    double strength = 1.0;  // times this
+    bool visible = true;    // to the camera itself
 };
 
 // ---- Camera -----------------------------------------------------------------------------------------------------------------------
@@ -469,10 +471,17 @@ struct RenderSettings {
     bool wide = false;                 // 32-bit floats in EXR files, not halves
 };
 
+// A file that the scene was read from.
+struct InputFile {
+    std::string path;  // as named, from where the program was started
+    std::string hash;  // hexadecimal, of its bytes
+};
+
 struct Scene {
-    std::string file;             // as named by the user
-    std::string hash;             // hexadecimal, over the scene file and everything it reads
-    std::vector<Camera> cameras;  // at least one
+    std::string file;               // as named by the user
+    std::string hash;               // hexadecimal, over the scene file and everything it reads
+    std::vector<InputFile> inputs;  // the scene file and everything it reads, in the order of reading
+    std::vector<Camera> cameras;    // at least one
     std::vector<Material> materials;
     std::vector<Medium> media;
     std::optional<int> medium;  // what is everywhere outside of bodies: index into `media`

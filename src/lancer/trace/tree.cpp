@@ -207,7 +207,8 @@ RTCGeometry mesh_geometry(RTCDevice device, const World& world, const kernel::Me
 }
 
 // In world space, its corners those that the kernel compares with.
-RTCGeometry placed_mesh_geometry(RTCDevice device, const World& world, const kernel::MeshRecord& mesh, const kernel::AffineRecord& to_world) {
+RTCGeometry placed_mesh_geometry(RTCDevice device, const World& world, const kernel::MeshRecord& mesh,
+                                 const kernel::AffineRecord& to_world) {
     const auto corners = world.indices.begin() + 3 * static_cast<std::ptrdiff_t>(mesh.first_triangle);
     const int last = *std::max_element(corners, corners + 3 * static_cast<std::ptrdiff_t>(mesh.triangle_count));
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);

@@ -17,6 +17,8 @@ namespace {
 
 double square(double x) { return x * x; }
 
+scene::Rgb seen(const SpectralCurve& curve) { return glm::max(reflected_rgb(curve), scene::Rgb(0.0)); }
+
 class Surfaces {
 public:
     Surfaces(World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics)
@@ -251,7 +253,7 @@ private:
             record.height_input = refer(*relief.heights, kernel::INPUT_HEIGHT);
         }
         if (record.normal_map > 0 || record.height_input > 0) {
-            record.flags |= kernel::MATERIAL_RELIEF | kernel::MATERIAL_MAPPED;
+            record.flags |= kernel::MATERIAL_RELIEF | kernel::MATERIAL_MAPPED | (relief.shadows ? kernel::MATERIAL_HILLS : 0);
         }
     }
 
@@ -334,8 +336,6 @@ private:
             look_at(world_.inputs[i].texture);
         }
     }
-
-    static scene::Rgb seen(const SpectralCurve& curve) { return glm::max(reflected_rgb(curve), scene::Rgb(0.0)); }
 
     World& world_;
     Textures& textures_;

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "lancer/app/cli/farm.h"
+#include "lancer/app/cli/frames.h"
 #include "lancer/app/cli/render_arguments.h"
 #include "lancer/app/cli/spelling.h"
 #include "lancer/app/exit_status.h"
@@ -49,9 +51,9 @@ std::optional<std::string> explain_leftovers(const CLI::App& app) {
         }
     }
     const std::string& word = words.front();
-    if (app.get_parent() == nullptr) {
+    if (!app.get_subcommands(nullptr).empty()) {
         std::error_code ignored;
-        if (std::filesystem::exists(word, ignored)) {
+        if (app.get_parent() == nullptr && std::filesystem::exists(word, ignored)) {
             return fmt::format("what shall be done with {}? \"lancer view {}\" shows it, \"lancer render {} -o picture.png\" renders it",
                                word, shell_quoted({word}), shell_quoted({word}));
         }
@@ -70,7 +72,10 @@ std::string without_empty_hint(std::string sentence) {
 }  // namespace
 
 int refuse(const std::string& sentence, const CLI::App& app) {
-    const std::string name = app.get_parent() == nullptr ? "lancer" : "lancer " + app.get_name();
+    std::string name = app.get_name();
+    for (const CLI::App* above = app.get_parent(); above != nullptr; above = above->get_parent()) {
+        name = above->get_name() + " " + name;
+    }
     fmt::print(stderr, "{}: error: {}\n", name, sentence);
     fmt::print(stderr, "\"{} --help\" tells what can be said\n", name);
     return exit_bad_input;
@@ -104,9 +109,13 @@ int run_command_line(const std::vector<std::string>& words) {
     program.add_flag("--render-all", render_all, "Write every figure of the report, made anew, into the folder figures");
     add_view(program, work);
     add_render(program, work);
+    add_resume(program, work);
+    add_merge(program, work);
     add_info(program, work);
     add_import(program, work);
     add_compare(program, work);
+    add_movie(program, work);
+    add_farm(program, work);
     add_figures(program, work);
     add_schema(program, work);
     add_bench(program, work);
@@ -114,11 +123,17 @@ int run_command_line(const std::vector<std::string>& words) {
     program.allow_extras();
     for (CLI::App* sub : program.get_subcommands(nullptr)) {
         sub->allow_extras();
+        for (CLI::App* part : sub->get_subcommands(nullptr)) {
+            part->allow_extras();
+        }
     }
 
     const auto chosen = [&]() -> const CLI::App& {
-        const std::vector<CLI::App*> subs = program.get_subcommands();
-        return subs.empty() ? program : *subs.front();
+        const CLI::App* app = &program;
+        while (!app->get_subcommands().empty()) {
+            app = app->get_subcommands().front();
+        }
+        return *app;
     };
     try {
         std::vector<std::string> reversed = with_two_dashes(words);
@@ -135,8 +150,10 @@ int run_command_line(const std::vector<std::string>& words) {
     if (const auto sentence = explain_leftovers(program)) {
         return refuse(without_empty_hint(*sentence), program);
     }
-    if (const auto sentence = explain_leftovers(chosen())) {
-        return refuse(without_empty_hint(*sentence), chosen());
+    for (const CLI::App* app = &chosen(); app != &program; app = app->get_parent()) {
+        if (const auto sentence = explain_leftovers(*app)) {
+            return refuse(without_empty_hint(*sentence), *app);
+        }
     }
     if (work) {
         return render_all || threads ? refuse("--threads and --render-all go after the subcommand, or stand without one", program) : work();

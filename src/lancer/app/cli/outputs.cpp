@@ -88,15 +88,15 @@ ByteImage develop(const Film& film, const ViewTransform& view, int threads) {
 
 bool holds_layers(const std::string& path) { return file_ending(path) == ".exr"; }
 
-void write_film(const std::string& path, const Film& film, const Prepared& prepared, const FilmSums* sums) {
-    const Metadata& metadata = prepared.metadata;
+void write_film(const std::string& path, const Film& film, const Presentation& presentation, const FilmSums* sums) {
+    const Metadata& metadata = presentation.metadata;
     if (!is_linear(path)) {
-        const int threads = prepared.options.threads > 0 ? prepared.options.threads : hardware_threads();
-        write_image(path, develop(film, prepared.view, threads), metadata);
+        const int threads = presentation.threads > 0 ? presentation.threads : hardware_threads();
+        write_image(path, develop(film, presentation.view, threads), metadata);
         return;
     }
-    if (holds_layers(path) && sums != nullptr && !prepared.contents.is_plain()) {
-        write_layers(path, layered_picture(film, *sums, prepared.contents, prepared.names, metadata));
+    if (holds_layers(path) && sums != nullptr && !presentation.contents.is_plain()) {
+        write_layers(path, layered_picture(film, *sums, presentation.contents, presentation.names, metadata));
         return;
     }
     Image image{film.width, film.height, 3, {}};

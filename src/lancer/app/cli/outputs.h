@@ -24,9 +24,9 @@ bool is_linear(const std::string& path);
 // Whether the file can hold more than the picture itself.
 bool holds_layers(const std::string& path);
 
-// PNG and JPEG get the view and its exposure, EXR what `prepared` wants beside the picture, if there are sums. Works on the options' threads.
+// PNG and JPEG get the view and its exposure, EXR what the presentation wants beside the picture, if there are sums.
 // Throws MachineFailure.
-void write_film(const std::string& path, const Film& film, const Prepared& prepared, const FilmSums* sums = nullptr);
+void write_film(const std::string& path, const Film& film, const Presentation& presentation, const FilmSums* sums = nullptr);
 
 // How many samples each pixel took: in PNG and JPEG grey, white for the pixel with the most; in the others the number itself.
 void write_sample_map(const std::string& path, const Film& film, const Metadata& metadata);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 namespace lancer::app {
 
@@ -42,6 +43,39 @@ std::string shell_quoted(const std::vector<std::string>& words) {
         line += '\'';
     }
     return line;
+}
+
+std::optional<std::vector<std::string>> shell_words(std::string_view line) {
+    std::vector<std::string> words;
+    std::string word;
+    bool inside = false, quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (quoted) {
+            quoted = c != '\'';
+            word += quoted ? std::string(1, c) : "";
+        } else if (c == ' ') {
+            if (inside) {
+                words.push_back(std::exchange(word, {}));
+            }
+            inside = false;
+            continue;
+        } else if (c == '\'') {
+            quoted = true;
+        } else if (c == '\\' && i + 1 < line.size()) {
+            word += line[++i];
+        } else {
+            word += c;
+        }
+        inside = true;
+    }
+    if (quoted) {
+        return std::nullopt;
+    }
+    if (inside) {
+        words.push_back(word);
+    }
+    return words;
 }
 
 }  // namespace lancer::app

@@ -93,6 +93,32 @@ CLI::Option* add_text(CLI::App& app, const std::string& names, std::optional<std
     });
 }
 
+CLI::Option* add_duration(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& description,
+                          bool may_be_off) {
+    return add(app, names, "TIME", description, [=, &value](const std::string& text) {
+        if (may_be_off && text == "off") {
+            value = 0.0;
+            return;
+        }
+        const std::size_t digits = std::min(text.find_first_not_of("0123456789."), text.size());
+        const std::string unit = text.substr(digits);
+        const std::optional<double> number = read_number<double>(text.substr(0, digits));
+        const double factor = unit == "ms"                   ? 1e-3
+                              : unit.empty() || unit == "s"  ? 1.0
+                              : unit == "m" || unit == "min" ? 60.0
+                              : unit == "h"                  ? 3600.0
+                                                             : 0.0;
+        if (!number || !(*number * factor > 0.0) || *number * factor > 1e9) {
+            refuse(names, fmt::format("a time, as 30s, 2m or 1h{}", may_be_off ? ", or off" : ""), text);
+        }
+        value = *number * factor;
+    });
+}
+
+CLI::Option* add_positional(CLI::App& app, const std::string& name, std::optional<std::string>& value, const std::string& description) {
+    return add(app, name, "", description, [&value](const std::string& text) { value = text; });
+}
+
 CLI::Option* add_size(CLI::App& app, const std::string& names, std::optional<ImageSize>& value, const std::string& description) {
     return add(app, names, "WxH", description, [=, &value](const std::string& text) {
         const std::size_t cross = std::min(text.find('x'), text.size());

@@ -115,7 +115,8 @@ std::vector<FigureGroup> make_table() {
           physical("depth-of-field", "What lies before and behind the plane that is sharp.")}},
         {"Light that follows physics: media",
          "Fog, smoke, milk and fire: what fills space absorbs, scatters and shines.",
-         {physical("fog-balls", "Smoke, fog, haze and air; milk and wine in glass."), physical("fog-cloud", "A cloud from a grid."),
+         {physical("fog-balls", "Smoke, fog, haze and air; milk and wine in glass."),
+          physical("fog-cloud", "A cloud from a grid."),
           {"fog-flame", "Soot that shines as hot as a grid says.", "scenes/features/fog-flame.toml", square_and_quick},
           physical("fog-overlap", "Glass and ink that overlap: the higher priority has the place.")}},
         {"Light that follows physics: gallery",
@@ -129,6 +130,14 @@ std::vector<FigureGroup> make_table() {
           physical_gallery("flacon", "Thick glass and gold under an afternoon sky.", square_and_quick),
           physical_gallery("daylight-room", "All light comes through one window.", small_and_quick),
           physical_gallery("still-life", "What lies on surfaces: wood, a globe, worn paint, studs, tiles, a leaf.", small_and_quick)}},
+        {"Light from the lamps",
+         "Paths from both ends, and photons: what glass and mirrors throw.",
+         {Figure{"rainbow", "A white beam, a prism, a wall.", "scenes/gallery/prism.toml", small_and_quick},
+          physical_gallery("ring", "Two curves of light that meet in a cusp.", small_and_quick),
+          physical_gallery("diamond-fire", "Each way through a brilliant ends as a small spectrum.", small_and_quick),
+          physical_gallery("pool", "The bottom of a pool in the sun.", {"--size", "480x270", "--spp", "16"}),
+          physical_gallery("wine-glass", "What a glass of wine throws on the table.", {"--size", "360x360", "--spp", "16"}),
+          physical("both-ends", "A lamp in a shade, and one whose light goes through a glass ball.")}},
     };
 }
 

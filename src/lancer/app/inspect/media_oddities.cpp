@@ -50,7 +50,8 @@ Sums sums_of(const scene::Medium& medium) {
 
 class MediaOddities {
 public:
-    MediaOddities(const scene::Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics), objects_(flatten(scene)) {}
+    MediaOddities(const scene::Scene& scene, Diagnostics& diagnostics)
+        : scene_(scene), diagnostics_(diagnostics), objects_(flatten(scene)) {}
 
     void find() {
         for (std::size_t i = 0; i < scene_.media.size(); ++i) {
@@ -58,8 +59,9 @@ public:
         }
         for (const scene::Material& material : scene_.materials) {
             if (std::holds_alternative<scene::NullMaterial>(material.model) && !material.interior && !material.name.empty()) {
-                diagnostics_.warning(material.position, fmt::format("material \"{}\" is a null border without an interior: nothing is seen of it",
-                                                                    material.name));
+                diagnostics_.warning(
+                    material.position,
+                    fmt::format("material \"{}\" is a null border without an interior: nothing is seen of it", material.name));
             }
         }
     }
@@ -81,7 +83,8 @@ private:
             warn("shines but absorbs nothing: it emits as much as it absorbs, nothing");
         }
         if (scene_.medium == number && !medium.density && light_comes_from_far()) {
-            warn("is everywhere, and no light of the sky or a directional light gets through so much of it: close it in with a null border");
+            warn(
+                "is everywhere, and no light of the sky or a directional light gets through so much of it: close it in with a null border");
         }
         if (medium.density && scene_.medium != number && !is_reached(*medium.density, number)) {
             warn("has a grid that lies outside of all that it fills");

@@ -96,9 +96,8 @@ private:
         if (facts.closed && facts.volume < 0.0) {
             diagnostics_.warning(flat.object->position, fmt::format("the faces of {} point inwards", name_of(*flat.object)));
         } else if (!facts.closed && is_clear(material_of(flat))) {
-            diagnostics_.warning(
-                flat.object->position,
-                fmt::format("{} is a clear body with holes: light that enters may never leave it", name_of(*flat.object)));
+            diagnostics_.warning(flat.object->position,
+                                 fmt::format("{} is a clear body with holes: light that enters may never leave it", name_of(*flat.object)));
         }
     }
 

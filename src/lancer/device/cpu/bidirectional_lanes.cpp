@@ -280,7 +280,17 @@ void LANCER_BIDIRECTIONAL(const kernel::WorldRecord& asked, const PathRange& ran
             }
         }
         sound = both(sound, is_sound(camera.path.radiance));
-        const Vec3 rgb = light_in_pixel(world, camera.path, camera.path.radiance, mask);
+        Vec3 rgb = light_in_pixel(world, camera.path, camera.path.radiance, mask);
+        for (int i = 0; i < (light_only ? 0 : GLANCES); ++i) {
+            Subpath glance = start_glance(
+                world, Float::load_aligned(x), Float::load_aligned(y), key,
+                UInt::load_aligned(number) * UInt(static_cast<std::uint32_t>(GLANCES)) + UInt(static_cast<std::uint32_t>(i)), mask);
+            for (int depth = 0; some(glance.path.alive); ++depth) {
+                glance_step(world, depth, glance, tally);
+            }
+            sound = both(sound, is_sound(glance.path.radiance));
+            rgb = rgb + light_in_pixel(world, glance.path, glance.path.radiance, mask) * Float(1.0f / static_cast<float>(GLANCES));
+        }
         const Vec3 result = select(sound, rgb, vec3_all(Float(std::numeric_limits<float>::quiet_NaN())));
         result.x.store_aligned(x);
         result.y.store_aligned(y);

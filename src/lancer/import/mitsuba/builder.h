@@ -23,7 +23,10 @@ struct Builder {
     std::map<std::pair<const Element*, const Element*>, int> materials;  // by BSDF and emitter, each may be null
     std::map<const Element*, int> groups;
     std::map<std::string, std::shared_ptr<const scene::TriangleMesh>> meshes;  // by file and how it was changed
-    int depth = 0;                                                             // of plugins in plugins
+    std::map<const Element*, std::optional<int>> media;
+    std::map<std::pair<int, int>, int> filled;  // materials by what they are without the medium inside, and that
+    const Element* around_camera = nullptr;     // a medium
+    int depth = 0;                              // of plugins in plugins
 
     Plugin plugin(const Element& element) const { return {element, ids, context}; }
     void honoured(const Plugin& plugin) const { context.report.honoured(plugin.title(), plugin.position()); }

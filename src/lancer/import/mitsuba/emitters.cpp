@@ -75,7 +75,8 @@ void add_environment(Builder& builder, Plugin& plugin) {
             axes[i] = length > 0.0 ? axes[i] / length : glm::dvec3(0.0);
         }
         constexpr double tolerance = 1e-6;
-        if (std::abs(glm::dot(axes[0], axes[1])) + std::abs(glm::dot(axes[1], axes[2])) + std::abs(glm::dot(axes[2], axes[0])) > tolerance ||
+        if (std::abs(glm::dot(axes[0], axes[1])) + std::abs(glm::dot(axes[1], axes[2])) + std::abs(glm::dot(axes[2], axes[0])) >
+                tolerance ||
             !(std::abs(glm::determinant(axes)) > 0.5)) {
             builder.error(plugin.find("to_world")->position, "surroundings can be turned and mirrored, not squeezed");
             return;

@@ -88,6 +88,8 @@ scene::Material bump(Builder& builder, Plugin& plugin) {
         heights.scale *= scale;
         material.relief.heights = heights;
     }
+    material.relief.shadows = plugin.flag("use_shadowing_function", true);
+    plugin.ignore("flip_invalid_normals");
     builder.honoured(plugin);
     return material;
 }
@@ -97,8 +99,8 @@ scene::Material normal_map(Builder& builder, Plugin& plugin) {
     if (const Element* texture = only_texture(builder, plugin)) {
         material.relief.normals = texture_of(builder, *texture, Role::index);
     }
+    material.relief.shadows = plugin.flag("use_shadowing_function", true);
     plugin.ignore("flip_invalid_normals");
-    plugin.ignore("use_shadowing_function");
     builder.honoured(plugin);
     return material;
 }
@@ -163,7 +165,11 @@ int material_of(Builder& builder, const Element* bsdf, const Element* emitter, c
     }
     scene::Material material{{}, scene::DiffuseMaterial{Color(0.5)}, shape};
     material.one_sided = true;
-    if (bsdf) {
+    if (is_nothing(bsdf) && !emitter) {
+        material.model = scene::NullMaterial{};
+        material.one_sided = false;
+        builder.context.report.honoured("bsdf \"null\"", bsdf->position);
+    } else if (bsdf) {
         material = material_from(builder, *bsdf);
     }
     if (emitter) {
@@ -173,6 +179,16 @@ int material_of(Builder& builder, const Element* bsdf, const Element* emitter, c
     builder.scene.materials.push_back(std::move(material));
     builder.materials[{bsdf, emitter}] = number;
     return number;
+}
+
+int filled_material(Builder& builder, int material, int medium) {
+    const auto [found, is_new] = builder.filled.try_emplace({material, medium}, static_cast<int>(builder.scene.materials.size()));
+    if (is_new) {
+        scene::Material copy = builder.scene.materials[static_cast<std::size_t>(material)];
+        copy.interior = medium;
+        builder.scene.materials.push_back(std::move(copy));
+    }
+    return found->second;
 }
 
 bool is_nothing(const Element* bsdf) { return bsdf && bsdf->attribute("type") == "null"; }

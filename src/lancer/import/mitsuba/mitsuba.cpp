@@ -1,11 +1,14 @@
 #include "lancer/import/mitsuba/mitsuba.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "lancer/import/default_view.h"
 #include "lancer/import/mesh/mesh_messages.h"
 #include "lancer/import/mitsuba/builder.h"
 #include "lancer/import/mitsuba/emitters.h"
+#include "lancer/import/mitsuba/media.h"
 #include "lancer/import/mitsuba/sensors.h"
 #include "lancer/import/mitsuba/shapes.h"
 
@@ -19,7 +22,7 @@ void read_mitsuba(ImportContext& context, scene::Scene& scene) {
     if (!root) {
         return;
     }
-    Builder builder{context, scene, document, {}, {}, {}, {}, 0};
+    Builder builder{context, scene, document, {}, {}, {}, {}, {}, {}, nullptr, 0};
     builder.ids.add(*root, context.diagnostics);
     scene.settings.integrator = "path";
     scene.settings.spp = 16;
@@ -43,6 +46,14 @@ void read_mitsuba(ImportContext& context, scene::Scene& scene) {
                    element.tag != "alias" && element.tag != "film" && element.tag != "sampler" && element.tag != "rfilter") {
             context.diagnostics.warning(element.position, fmt::format("<{}> means nothing here", element.tag));
             context.report.dropped(fmt::format("<{}>", element.tag), "unknown here", element.position);
+        }
+    }
+    if (builder.around_camera) {
+        // Where a body around the camera is filled with it, that is where it is.
+        const std::optional<int> number = medium_of(builder, *builder.around_camera);
+        const auto has_it = [&](const scene::Material& material) { return material.interior == number; };
+        if (std::none_of(scene.materials.begin(), scene.materials.end(), has_it)) {
+            scene.medium = number;
         }
     }
     if (!has_sensor) {

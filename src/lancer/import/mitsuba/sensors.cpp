@@ -153,6 +153,9 @@ void add_sensor(Builder& builder, const Element& element, bool first) {
     for (const auto& [name, sampler] : plugin.children({"sampler"})) {
         set_sampler(builder, *sampler);
     }
+    for (const auto& [name, medium] : plugin.children({"medium"})) {
+        builder.around_camera = first ? medium : builder.around_camera;
+    }
     scene::Camera camera;
     camera.name = first ? "" : plugin.id();
     camera.source = plugin.position();

@@ -6,6 +6,7 @@
 
 #include "lancer/import/mesh/mesh_messages.h"
 #include "lancer/import/mitsuba/materials.h"
+#include "lancer/import/mitsuba/media.h"
 #include "lancer/import/mitsuba/meshes.h"
 #include "lancer/import/mitsuba/textures.h"
 
@@ -18,6 +19,8 @@ struct Common {
     glm::dmat4 to_world{1.0};
     const Element* bsdf = nullptr;
     const Element* emitter = nullptr;
+    const Element* interior = nullptr;  // media
+    const Element* exterior = nullptr;
 };
 
 Common common(Builder& builder, Plugin& plugin) {
@@ -30,8 +33,7 @@ Common common(Builder& builder, Plugin& plugin) {
         all.emitter = element;
     }
     for (const auto& [name, element] : plugin.children({"medium"})) {
-        builder.context.report.dropped(fmt::format("medium {}", quoted(element->attribute("type"))), "media are not there",
-                                       element->position);
+        (name == "exterior" ? all.exterior : all.interior) = element;
     }
     for (const auto& [name, element] : plugin.children({"sensor"})) {
         builder.context.report.dropped(fmt::format("sensor {} on a shape", quoted(element->attribute("type"))), "no such camera",
@@ -46,7 +48,7 @@ Common common(Builder& builder, Plugin& plugin) {
 }
 
 void place_shape(Builder& builder, Plugin& plugin, const Common& all, scene::Shape shape, const glm::dmat4& to_parent, Place place) {
-    if (is_nothing(all.bsdf) && !all.emitter) {
+    if (is_nothing(all.bsdf) && !all.emitter && !all.interior && !all.exterior) {
         builder.context.report.honoured("bsdf \"null\"", all.bsdf->position);
         return;
     }
@@ -54,6 +56,10 @@ void place_shape(Builder& builder, Plugin& plugin, const Common& all, scene::Sha
     object.name = plugin.id();
     object.shape = std::move(shape);
     object.material = material_of(builder, all.bsdf, all.emitter, plugin.position());
+    // What is outside is what light has come through to get here.
+    if (const auto medium = all.interior ? medium_of(builder, *all.interior) : std::nullopt) {
+        object.material = filled_material(builder, object.material, *medium);
+    }
     object.to_parent = to_parent;
     object.position = plugin.position();
     place.objects.push_back(std::move(object));

@@ -70,7 +70,8 @@ scene::Texture checkerboard(Builder& builder, Plugin& plugin, Role role, bool gi
     const UvTransform uv = uv_transform(plugin);
     const double scale = glm::length(uv.x);
     builder.honoured(plugin);
-    if (scale > 0.0 && std::abs(glm::length(uv.y) - scale) <= 1e-9 * scale && uv.x.y == 0.0 && uv.y.x == 0.0 && uv.offset == glm::dvec2(0.0)) {
+    if (scale > 0.0 && std::abs(glm::length(uv.y) - scale) <= 1e-9 * scale && uv.x.y == 0.0 && uv.y.x == 0.0 &&
+        uv.offset == glm::dvec2(0.0)) {
         checker.size = 0.5 / scale;
         return checker;
     }

@@ -17,7 +17,8 @@ scene::Value value_or(Builder& builder, Plugin& plugin, std::string_view name, d
 scene::Value value_of(Builder& builder, const Element& element);
 
 // As above, each number after `change`.
-scene::Value changed_value_or(Builder& builder, Plugin& plugin, std::string_view name, double preset, const std::function<double(double)>& change);
+scene::Value changed_value_or(Builder& builder, Plugin& plugin, std::string_view name, double preset,
+                              const std::function<double(double)>& change);
 
 // One number for a texture where there is no room for a texture: its mean.
 double number_or(Builder& builder, Plugin& plugin, std::string_view name, double preset);

@@ -21,7 +21,9 @@ scene::Rgb pixel(const Image& image, double x, double y) {
     const int column = std::clamp(static_cast<int>(x * image.width), 0, image.width - 1);
     const int row = std::clamp(static_cast<int>(y * image.height), 0, image.height - 1);
     const auto channels = static_cast<std::size_t>(image.channels);
-    const float* p = &image.pixels[(static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column)) * channels];
+    const float* p =
+        &image
+             .pixels[(static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column)) * channels];
     return channels >= 3 ? scene::Rgb(p[0], p[1], p[2]) : scene::Rgb(p[0]);
 }
 

@@ -14,9 +14,9 @@ namespace lancer::pbrt {
 struct Environment {
     std::string file;
     SourcePosition position;
-    Image image;              // its pixels, where they have been read
-    bool square = true;       // laid out on a square of equal areas, as version 4 wants it; else by latitudes and longitudes
-    scene::Rgb scale{1.0};    // times this
+    Image image;               // its pixels, where they have been read
+    bool square = true;        // laid out on a square of equal areas, as version 4 wants it; else by latitudes and longitudes
+    scene::Rgb scale{1.0};     // times this
     glm::dmat3 to_light{1.0};  // from directions of the world to those of the picture, whose z is up
 };
 

@@ -46,6 +46,7 @@ void Interpreter::run() {
     }
     const double brightness = options_.finish(scene_);
     materials_.finish(scene_, brightness);
+    materials_.surround_camera(around_camera_, scene_, brightness);
     lights_.finish(brightness);
     scene_.settings.rgb = !spectral_;
     if (!spectral_) {
@@ -133,6 +134,7 @@ void Interpreter::carry_out(const Syntax& syntax, const Directive& directive) {
         }
         if (directive.keyword == Keyword::camera) {
             coordinate_systems_["camera"] = state_;
+            around_camera_ = state_.outside;
             coordinate_systems_["camera"].at_opening = glm::inverse(state_.at_opening);
             coordinate_systems_["camera"].at_closing = glm::inverse(state_.at_closing);
         }
@@ -197,7 +199,8 @@ void Interpreter::carry_out(const Syntax& syntax, const Directive& directive) {
             state_.material = {-1, unescaped(directive.strings[0]), sequence_};
             return;
         case Keyword::make_named_medium:
-            materials_.add_medium(unescaped(directive.strings[0]), recipe(syntax, directive, Target::medium));
+            materials_.add_medium(unescaped(directive.strings[0]), recipe(syntax, directive, Target::medium),
+                                  to_scene_ * state_.at_opening);
             return;
         case Keyword::medium_interface:
             state_.inside = unescaped(directive.strings[0]);

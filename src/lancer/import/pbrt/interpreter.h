@@ -65,7 +65,8 @@ private:
     std::map<std::string, std::unique_ptr<const Syntax>> files_;
     std::vector<std::string> open_files_;
 
-    glm::dmat4 to_scene_{1.0};  // from the world of the file
+    glm::dmat4 to_scene_{1.0};   // from the world of the file
+    std::string around_camera_;  // the medium
     GraphicsState state_;
     std::vector<Saved> saved_;
     std::map<std::string, GraphicsState, std::less<>> coordinate_systems_;

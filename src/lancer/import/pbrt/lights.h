@@ -35,13 +35,12 @@ private:
     void add_goniometric(const Recipe& light, const glm::dmat4& to_world);
     void add_projection(const Recipe& light, const glm::dmat4& to_world);
     std::optional<scene::Rgb> mean_of_picture(const Parameters& parameters);
-    void push(const Recipe& light, std::variant<scene::PointLight, scene::SpotLight, scene::DirectionalLight> model,
-              const Color& power);
+    void push(const Recipe& light, std::variant<scene::PointLight, scene::SpotLight, scene::DirectionalLight> model, const Color& power);
 
     ImportContext& context_;
     scene::Scene& scene_;
     bool version3_ = false;
-    std::vector<Color> powers_;     // of the scene's lights
+    std::vector<Color> powers_;      // of the scene's lights
     std::vector<Color> everywhere_;  // light that comes from everywhere
     std::vector<Environment> environments_;
 };

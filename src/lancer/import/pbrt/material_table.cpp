@@ -7,6 +7,7 @@
 
 #include "lancer/import/pbrt/light_power.h"
 #include "lancer/import/pbrt/materials.h"
+#include "lancer/import/pbrt/media.h"
 
 namespace lancer::pbrt {
 
@@ -87,38 +88,54 @@ std::optional<scene::Emission> MaterialTable::emission(const Wanted& wanted, dou
     return emission;
 }
 
-// What a homogeneous medium swallows can be told of the body around it.
-void MaterialTable::fill_with_medium(const Wanted& wanted, scene::Material& material) const {
-    auto* body = std::get_if<scene::DielectricMaterial>(&material.model);
-    if (wanted.choice.inside.empty()) {
-        return;
-    }
-    const auto found = media_.find(wanted.choice.inside);
+std::optional<int> MaterialTable::medium(const std::string& name, const SourcePosition& position, scene::Scene& scene, double brightness) {
+    const auto found = media_.find(name);
     if (found == media_.end()) {
+        std::vector<std::string> known;
+        for (const auto& [other, medium] : media_) {
+            known.push_back(other);
+        }
+        context_.diagnostics.warning(position,
+                                     fmt::format("there is no medium \"{}\": nothing stands for it{}", name, did_you_mean(name, known)));
+        context_.report.dropped(fmt::format("MediumInterface \"{}\"", name), "there is no such medium", position);
+        return std::nullopt;
+    }
+    WrittenMedium& written = found->second;
+    if (!written.built) {
+        written.built = true;
+        if (auto medium = build_medium(written.recipe, name, written.to_scene, brightness)) {
+            written.number = static_cast<int>(scene.media.size());
+            scene.media.push_back(std::move(*medium));
+        }
+        written.recipe.parameters.warn_of_unused();
+    }
+    return written.number;
+}
+
+// Interfaces, and bodies that light enters. Others only tell what is around them, and that is told by the borders that light has passed.
+void MaterialTable::fill_with_medium(const Wanted& wanted, scene::Material& material, scene::Scene& scene, double brightness) {
+    const bool is_interface = material.opacity.number == 0.0 && !material.opacity.texture;
+    const auto* glass = std::get_if<scene::DielectricMaterial>(&material.model);
+    const bool is_body = is_interface || (glass != nullptr && !glass->thin);
+    const std::string& inside = wanted.choice.inside;
+    if (is_interface && !(inside.empty() && wanted.choice.outside.empty())) {
+        material.model = scene::NullMaterial{};
+        material.opacity = 1.0;
+    }
+    if (is_body && !inside.empty() && inside != wanted.choice.outside) {
+        material.interior = medium(inside, wanted.shape.parameters.position(), scene, brightness);
+    }
+}
+
+void MaterialTable::surround_camera(const std::string& name, scene::Scene& scene, double brightness) {
+    if (name.empty()) {
         return;
     }
-    const Recipe& medium = found->second;
-    const Parameters& parameters = medium.parameters;
-    const std::string owner = fmt::format("MakeNamedMedium \"{}\"", wanted.choice.inside);
-    const std::string type = parameters.string("type", "homogeneous");
-    const Parameter* swallows = parameters.find("sigma_a");
-    const Parameter* scatters = parameters.find("sigma_s");
-    if (type != "homogeneous" || body == nullptr || body->thin || swallows == nullptr) {
-        context_.report.dropped(owner, "fog is not rendered yet", parameters.position());
-        return;
-    }
-    const auto absorption = read_curve(parameters, *swallows, medium.space);
-    const auto scattering = scatters != nullptr ? read_curve(parameters, *scatters, medium.space) : SpectralCurve(1.0);
-    if (!absorption || !scattering) {
-        return;
-    }
-    if (scattering->highest() > 0.0) {
-        context_.report.dropped(owner + ": what it scatters", "fog is not rendered yet", parameters.position());
-    } else {
-        context_.report.honoured(owner, parameters.position());
-    }
-    if (const auto numbers = parameters.numbers_of(*swallows); swallows->type == "rgb" && numbers.size() == 3) {
-        body->absorption = scene::Rgb(numbers[0], numbers[1], numbers[2]) * parameters.number("scale", 1.0);
+    const std::optional<int> number = medium(name, {context_.path, 0, 0}, scene, brightness);
+    const bool is_inside = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                       [&](const scene::Material& m) { return number && m.interior == number; });
+    if (!is_inside) {
+        scene.medium = number;
     }
 }
 
@@ -165,7 +182,7 @@ void MaterialTable::finish(scene::Scene& scene, double brightness) {
         scene::Material material = built(find(wanted.choice.material, position), position, scene);
         material.name = wanted.choice.material.name;
         material.emission = emission(wanted, brightness);
-        fill_with_medium(wanted, material);
+        fill_with_medium(wanted, material, scene, brightness);
         if (!wanted.choice.alpha.empty()) {
             material.opacity = textures_.value(wanted.shape, "alpha", 1.0, [](double share) { return std::clamp(share, 0.0, 1.0); });
             context_.report.honoured("\"alpha\"", position);

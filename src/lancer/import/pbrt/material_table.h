@@ -21,7 +21,12 @@ public:
     int add(Recipe material);
     void add_named(const std::string& name, Recipe material);
     int add_area_light(Recipe light);
-    void add_medium(const std::string& name, Recipe medium) { media_.insert_or_assign(name, std::move(medium)); }
+    void add_medium(const std::string& name, Recipe medium, const glm::dmat4& to_scene) {
+        media_.insert_or_assign(name, WrittenMedium{std::move(medium), to_scene, {}, false});
+    }
+
+    // What is around the camera, where no body around it is filled with that.
+    void surround_camera(const std::string& medium, scene::Scene& scene, double brightness);
 
     struct Choice {
         MaterialChoice material;
@@ -50,7 +55,15 @@ private:
     scene::Material built(const Recipe* recipe, const SourcePosition& position, scene::Scene& scene);
     int part_of_mix(const std::string& name, const Recipe& asking, scene::Scene& scene);
     std::optional<scene::Emission> emission(const Wanted& wanted, double brightness) const;
-    void fill_with_medium(const Wanted& wanted, scene::Material& material) const;
+    std::optional<int> medium(const std::string& name, const SourcePosition& position, scene::Scene& scene, double brightness);
+    void fill_with_medium(const Wanted& wanted, scene::Material& material, scene::Scene& scene, double brightness);
+
+    struct WrittenMedium {
+        Recipe recipe;
+        glm::dmat4 to_scene;
+        std::optional<int> number;  // in the scene
+        bool built;
+    };
 
     ImportContext& context_;
     const Textures& textures_;
@@ -58,7 +71,7 @@ private:
     std::vector<Recipe> recipes_;
     std::map<std::string, std::vector<int>, std::less<>> named_;  // in the order of their definitions
     std::vector<Recipe> area_lights_;
-    std::map<std::string, Recipe, std::less<>> media_;
+    std::map<std::string, WrittenMedium, std::less<>> media_;
     std::vector<Wanted> wanted_;
     std::map<std::pair<Choice, double>, int> numbers_;
     std::map<const Recipe*, int> parts_;      // of mixes: numbers in the scene

@@ -27,11 +27,12 @@ std::optional<scene::Scene> import_toml(std::string_view text, const std::string
     scene.file = path;
     if (const auto root = notation::parse(text, path, ours)) {
         SceneFiles files(path, {}, ours);
-        files.add_to_hash(text);
+        files.add_to_hash(path, text);
         notation::Messages messages(path, ours);
         notation::Context context{messages, files, scene};
         notation::build(context, *root);
         scene.hash = files.hash();
+        scene.inputs = files.inputs();
     }
     for (Diagnostic& diagnostic : sorted_by_position(ours, path)) {
         diagnostics.add(std::move(diagnostic));

@@ -34,6 +34,8 @@ Table physical(std::string_view type, std::string_view help, std::vector<Key> ke
         table.keys.push_back({"normal_scale", Kind::number, 1.0, Range{-100.0, 100.0}, "", "Multiplies the red and green of normal_map."});
         table.keys.push_back({"normal_flip_green", Kind::flag, false, any, "", "The map's green grows downwards, as Direct3D has it."});
         table.keys.push_back({"bump", Kind::value, 0.0, any, "m", "Heights that bend the normals as if the surface were raised by them."});
+        table.keys.push_back(
+            {"relief_shadows", Kind::flag, false, any, "", "Dims slanting light as if normal_map or bump hid it from itself."});
     }
     return table;
 }
@@ -44,14 +46,22 @@ const Key priority{
     0.0,        Range{-1e6, 1e6},
     "",         "Where bodies overlap, the one of the highest priority fills the overlap; of equals the one that light entered last."};
 const Key roughness{"roughness", Kind::value, 0.0, share, "", "From 0, polished, to 1; its square is the width of the facets' slopes."};
-const Key facets{"facets", Kind::choice, "ggx", any, "", "How the small mirrors of a rough surface are distributed.", false, {"ggx", "beckmann"}};
-const Key facet_shadows{"facet_shadows", Kind::choice, "correlated", any, "",
+const Key facets{"facets", Kind::choice,       "ggx", any, "", "How the small mirrors of a rough surface are distributed.",
+                 false,    {"ggx", "beckmann"}};
+const Key facet_shadows{"facet_shadows",
+                        Kind::choice,
+                        "correlated",
+                        any,
+                        "",
                         "How they hide one another: as high ones are seen from everywhere, or towards either direction by itself.",
-                        false, {"correlated", "separate"}};
-const Key facet_light{"facet_light", Kind::choice, "kept", any, "", "What becomes of light that meets several of them; many programs lose it.",
-                      false, {"kept", "lost"}};
-const Key anisotropy{"anisotropy", Kind::value, 0.0, Range{-100.0, 1.1}, "",
-                     "How much smoother the surface is along u than along v, 0 to 1; below 0 it is rougher."};
+                        false,
+                        {"correlated", "separate"}};
+const Key facet_light{
+    "facet_light", Kind::choice,    "kept", any, "", "What becomes of light that meets several of them; many programs lose it.",
+    false,         {"kept", "lost"}};
+const Key anisotropy{"anisotropy", Kind::value,
+                     0.0,          Range{-100.0, 1.1},
+                     "",           "How much smoother the surface is along u than along v, 0 to 1; below 0 it is rougher."};
 
 }  // namespace
 
@@ -83,17 +93,18 @@ const Table& diffuse_material() {
 }
 
 const Table& conductor_material() {
-    static const Table table = physical(
-        "conductor", "A metal, polished or rough.",
-        {{"metal", Kind::text, none, any, "", "Its name, such as \"gold\" or \"Cu\": measured indices are used."},
-         {"n", Kind::index, none, Range{0.0, 1000.0}, "", "The real part of its refractive index, with k; instead of metal."},
-         {"k", Kind::index, none, Range{0.0, 1000.0}, "", "The imaginary part."},
-         {"color", Kind::texture, glm::dvec3(1.0), share, "", "The share of light that it mirrors when looked at straight on; of a metal with an index, a tint."},
-         roughness,
-         anisotropy,
-         facets,
-         facet_shadows,
-         facet_light});
+    static const Table table =
+        physical("conductor", "A metal, polished or rough.",
+                 {{"metal", Kind::text, none, any, "", "Its name, such as \"gold\" or \"Cu\": measured indices are used."},
+                  {"n", Kind::index, none, Range{0.0, 1000.0}, "", "The real part of its refractive index, with k; instead of metal."},
+                  {"k", Kind::index, none, Range{0.0, 1000.0}, "", "The imaginary part."},
+                  {"color", Kind::texture, glm::dvec3(1.0), share, "",
+                   "The share of light that it mirrors when looked at straight on; of a metal with an index, a tint."},
+                  roughness,
+                  anisotropy,
+                  facets,
+                  facet_shadows,
+                  facet_light});
     return table;
 }
 
@@ -146,7 +157,8 @@ const Table& principled_material() {
          {"sheen_roughness", Kind::value, 0.3, share, "", "Of the fibres."},
          {"film", Kind::value, 0.0, Range{0.0, 10000.0}, "nm", "The thickness of a film that shimmers in colours; 0 for none."},
          {"film_refraction", Kind::number, 1.3, Range{1.0, 3.0}, "", "The refractive index of the film."},
-         {"dispersion", Kind::number, 0.0, Range{0.0, 10.0}, "", "How far the clear body parts the colours: 20 over its Abbe number, as in glTF."},
+         {"dispersion", Kind::number, 0.0, Range{0.0, 10.0}, "",
+          "How far the clear body parts the colours: 20 over its Abbe number, as in glTF."},
          interior,
          priority});
     return table;

@@ -243,6 +243,10 @@ scene::Relief read_relief(Context& context, TableReader& reader) {
     if (reader.has("bump")) {
         relief.heights = read_value(context, reader, "bump");
     }
+    relief.shadows = reader.flag("relief_shadows");
+    if (relief.shadows && !relief.normals && !relief.heights) {
+        reader.error("relief_shadows", "\"relief_shadows\" needs \"normal_map\" or \"bump\" beside it");
+    }
     return relief;
 }
 

@@ -48,9 +48,9 @@ std::span<const Table* const> lights() {
 }
 
 std::span<const Table* const> materials() {
-    static const Table* const all[] = {&whitted_material(), &diffuse_material(),    &conductor_material(), &dielectric_material(),
-                                       &plastic_material(), &principled_material(), &burley_material(),    &mix_material(),
-                                       &null_material()};
+    static const Table* const all[] = {&whitted_material(),    &diffuse_material(), &conductor_material(),
+                                       &dielectric_material(), &plastic_material(), &principled_material(),
+                                       &burley_material(),     &mix_material(),     &null_material()};
     return all;
 }
 

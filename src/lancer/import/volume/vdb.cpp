@@ -16,10 +16,9 @@ namespace {
 constexpr double most_values = 5e8;
 
 const LancerVolumes& volumes_module() {
-    static constexpr ModuleWords words = {"lancer_volumes.so", "lancer_volumes",      "OpenVDB", "libopenvdb10.0",
-                                          "the part of lancer that reads .vdb files", "libopenvdb-dev"};
-    static const LancerVolumes& module =
-        *static_cast<const LancerVolumes*>(find_module(words, lancer_volumes_version, module_folders()));
+    static constexpr ModuleWords words = {
+        "lancer_volumes.so", "lancer_volumes", "OpenVDB", "libopenvdb10.0", "the part of lancer that reads .vdb files", "libopenvdb-dev"};
+    static const LancerVolumes& module = *static_cast<const LancerVolumes*>(find_module(words, lancer_volumes_version, module_folders()));
     return module;
 }
 

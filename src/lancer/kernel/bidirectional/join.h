@@ -39,6 +39,8 @@ FN Outwards send_out(IN(WorldRecord) world, IN(BidirVertex) v, Vec3 direction, b
         o.back = density_back(world, v.closure, v.wo, wi, o.open);
         if (from_light) {
             o.value = o.value * light_correction(v, wi, direction, through);
+        } else {
+            o.value = o.value * between_hills(v.hills, v.smooth_, direction);
         }
     }
     return o;
@@ -200,6 +202,7 @@ FN_LARGE FilmSplat join_camera(IN(WorldRecord) world, IN(BidirVertex) l, IN(Subp
         // A camera that looks from below the shading normal bends it, as paths do.
         BidirVertex seen = l;
         Vec3 bent = select(dot(sight.direction, l.normal) > Float(0.0f), seen_normal(l.normal, l.frame.z, sight.direction), l.frame.z);
+        bent = select(l.hills < Float(0.0f), bent, l.frame.z);
         Vec3 by = bent - l.frame.z;
         Mask turned = both(going, dot(by, by) > Float(0.0f));
         if (some(turned)) {

@@ -42,9 +42,13 @@ FN PhotonField photon_field(IN(WorldRecord) world, int sample_number) {
 // How many photons a disk of that radius gathers of a path that is sure to end on one square metre.
 FN Float gathering(IN(PhotonField) field) { return Float(PI) * field.radius * field.radius * field.paths; }
 
+// Photons are many, but those of one disk err together: where joints do as well they are to be preferred. So merging counts as if it had only so many
+// of them. Where nothing else finds the path it has all the weight whatever it counts.
+const float PHOTON_TRUST = 0.02f;
+
 FN MergeWeights merge_weights(IN(PhotonField) field) {
     MergeWeights w;
-    w.merge = square(gathering(field));
+    w.merge = square(gathering(field) * Float(PHOTON_TRUST));
     w.join = Float(1.0f) / w.merge;
     return w;
 }
@@ -54,8 +58,7 @@ FN Vec4 photon_wavelengths(IN(WorldRecord) world, int sample_number, Mask mask) 
     Vec4 nanometres = vec4_all(Float(D_LINE));
     if (world.spectral != 0) {
         Sampler numbers = start_sampler(scramble(scramble(UInt(uint(world.seed))) ^ UInt(0x50484f54u)), UInt(uint(sample_number)));
-        Vec2 u = sample_pair(numbers, UInt(uint(DECISION_WAVELENGTH)));
-        nanometres = wavelengths_at(world, u.x, mask);
+        nanometres = wavelengths_at(world, quartered_number(numbers, UInt(uint(sample_number)), UInt(uint(DECISION_WAVELENGTH))), mask);
     }
     return nanometres;
 }
@@ -101,6 +104,7 @@ FN_LARGE Spectrum merge_photons(IN(WorldRecord) world, int depth, IN(BidirVertex
             Float by_camera = v.ways.meet * merging.join + v.ways.merge * square_of_density(back);
             Float weight = share / ((Float(1.0f) + by_light + by_camera) * max(abs(rises), Float(1.0e-6f)));
             Mask single = either(either(v.single, p.single), both(wi.z < Float(0.0f), v.disperses));
+            weight = weight * between_hills(v.hills, v.smooth_, p.from);
             Spectrum brought = first_alone(v.throughput * value.value * p.light * weight, single);
             found = select(good, found + brought, found);
         }

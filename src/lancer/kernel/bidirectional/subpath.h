@@ -33,6 +33,7 @@ struct Subpath {
     Float start;    // largest part of the throughput where it began
     Mask single;    // has given up all wavelengths but the first
     Mask parallel;  // its density does not fall with the distance to the next vertex
+    Mask straight;  // all its vertices have been mirrors and smooth borders
 };
 
 FN Float square_of_density(Float density) { return square(min(density, Float(MOST_DENSITY))); }
@@ -140,8 +141,10 @@ FN_LARGE void meet_vertex(IN(WorldRecord) world, int depth, bool from_light, INO
         v.error = met.surface.point.error;
         v.normal = select(inside, -met.surface.point.normal, met.surface.point.normal);
         Vec3 shading = select(inside, -met.surface.point.shading, met.surface.point.shading);
+        v.smooth_ = met.surface.smooth_;
+        v.hills = met.surface.hills;
         if (!from_light) {
-            shading = seen_normal(v.normal, shading, view);
+            shading = select(v.hills < Float(0.0f), seen_normal(v.normal, shading, view), shading);
         }
         v.frame = frame_around(shading);
         if (world.has_directions != 0) {
@@ -160,6 +163,10 @@ FN_LARGE void meet_vertex(IN(WorldRecord) world, int depth, bool from_light, INO
         v.sheet = either(thin, v.closure.thin);
         v.front = front;
         v.behind = select(v.sheet, front, beyond.first);
+        if (from_light) {
+            // What hills hide of the light is known as soon as it arrives.
+            sub.path.throughput = sub.path.throughput * between_hills(v.hills, v.smooth_, view);
+        }
         v.throughput = sub.path.throughput;
         v.single = sub.single;
         // Through the distance, and onto the surface.
@@ -197,8 +204,11 @@ FN_LARGE void scatter_subpath(IN(WorldRecord) world, int depth, bool from_light,
     Mask through = both(going, next.transmits);
     if (from_light) {
         sub.path.throughput = sub.path.throughput * light_correction(v, next.wi, direction, through);
+    } else {
+        sub.path.throughput = sub.path.throughput * between_hills(v.hills, v.smooth_, direction);
     }
     sub.single = either(sub.single, both(through, v.disperses));
+    sub.straight = both(sub.straight, next.discrete);
 
     // The other ways to what comes after. Smooth surfaces have none: what they pass on can't be joined.
     Float out_2 = square(abs(rises));
@@ -250,6 +260,7 @@ FN Subpath start_from_camera(IN(WorldRecord) world, Float pixel_x, Float pixel_y
     sub.start = Float(1.0f);
     sub.single = nowhere();
     sub.parallel = is_parallel(world.camera);
+    sub.straight = all_or_none(true);
     return sub;
 }
 
@@ -330,6 +341,7 @@ FN Subpath start_from_light(IN(WorldRecord) world, UInt number, Vec4 nanometres,
     sub.start = largest(sub.path.throughput);
     sub.single = nowhere();
     sub.parallel = start.emission.far;
+    sub.straight = all_or_none(true);
     return sub;
 }
 

@@ -22,6 +22,8 @@ struct BidirVertex {
     Frame frame;  // of the shading normal, on that side
     Vec3 wo;      // where the subpath came from, in the frame
     Closure closure;
+    Vec3 smooth_;  // as of PathVertex, and the next
+    Float hills;
     Spectrum throughput;  // of the subpath up to here, but for what the vertex does
     Ways ways;
     Int front;   // the media on the subpath's side of the surface

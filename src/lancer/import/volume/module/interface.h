@@ -21,8 +21,8 @@ using LancerVolumeReceiver = void (*)(void* receiver, const LancerVoxels* voxels
 
 // The active cells of a grid, and those between them, of a file in memory; `name` may be empty: the first grid of numbers. At most `most` values.
 // False and the reason when it can't be done.
-using LancerReadVdb = bool (*)(const char* bytes, std::size_t size, const char* name, double most, void* receiver, LancerVolumeReceiver receive,
-                               LancerVolumeReason reason);
+using LancerReadVdb = bool (*)(const char* bytes, std::size_t size, const char* name, double most, void* receiver,
+                               LancerVolumeReceiver receive, LancerVolumeReason reason);
 
 // The one symbol that the module exports, "lancer_volumes".
 struct LancerVolumes {

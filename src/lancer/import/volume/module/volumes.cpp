@@ -1,6 +1,6 @@
 // The module: OpenVDB behind plain functions. No exception leaves it.
-#include <openvdb/openvdb.h>
 #include <openvdb/io/Stream.h>
+#include <openvdb/openvdb.h>
 
 #include <algorithm>
 #include <exception>

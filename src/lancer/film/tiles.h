@@ -1,6 +1,7 @@
 // The picture cut into squares, each the work of one thread for a moment.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,6 @@ struct Tile {
 std::vector<Tile> cut_tiles(int width, int height, int tile_size);
 
 // A permutation that depends on the seed alone [Fisher and Yates 1938].
-void shuffle_tiles(std::vector<Tile>& tiles, std::uint32_t seed);
+void shuffle(std::vector<std::size_t>& numbers, std::uint32_t seed);
 
 }  // namespace lancer

@@ -1,4 +1,4 @@
-#include "lancer/render/tiles.h"
+#include "lancer/film/tiles.h"
 
 #include <algorithm>
 #include <random>
@@ -16,11 +16,11 @@ std::vector<Tile> cut_tiles(int width, int height, int tile_size) {
     return tiles;
 }
 
-void shuffle_tiles(std::vector<Tile>& tiles, std::uint32_t seed) {
+void shuffle(std::vector<std::size_t>& numbers, std::uint32_t seed) {
     // std::shuffle may differ between standard libraries; the generator itself is fully specified.
     std::mt19937 generator(seed);
-    for (std::size_t i = tiles.size(); i > 1; --i) {
-        std::swap(tiles[i - 1], tiles[generator() % i]);
+    for (std::size_t i = numbers.size(); i > 1; --i) {
+        std::swap(numbers[i - 1], numbers[generator() % i]);
     }
 }
 

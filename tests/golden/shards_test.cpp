@@ -1,0 +1,217 @@
+// Films that were cut short, written, read, shared out and joined end in the same bytes.
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "lancer/device/cpu/cpu.h"
+#include "lancer/film/film_file.h"
+#include "lancer/import/import.h"
+#include "lancer/render/render.h"
+#include "lancer/world/compile.h"
+
+namespace lancer {
+namespace {
+
+constexpr int width = 149;  // not a whole number of tiles
+constexpr int height = 83;
+
+struct Kind {
+    std::string name;
+    std::string scene;
+    bool adaptive = false;
+    int spp = 0;
+    FilmLayers layers;
+};
+
+// A film with all that belongs to it.
+struct Whole {
+    Whole(const RenderOptions& options, const FilmLayers& layers) : film(options.width, options.height) {
+        if (options.spp > 0) {
+            sums.emplace(options.width, options.height, layers);
+        }
+        state.emplace(film, sums ? &*sums : nullptr, tile_size_for(options));
+    }
+
+    // Every bit of it.
+    std::string bytes() const {
+        ByteWriter all;
+        for (std::size_t tile = 0; tile < state->tiles().size(); ++tile) {
+            state->save(tile, all);
+        }
+        all.put_all(std::span<const glm::vec3>(film.radiance));
+        return all.bytes();
+    }
+
+    Film film;
+    std::optional<FilmSums> sums;
+    std::optional<FilmState> state;
+};
+
+// Cancels when so many tiles are done.
+class After : public RenderObserver {
+public:
+    explicit After(int tiles) : left_(tiles) {}
+    void tile_done(const Film&, const Tile&, const RenderProgress&) override { cancel = --left_ <= 0; }
+    std::atomic<bool> cancel = false;
+
+private:
+    int left_;
+};
+
+class Shared : public testing::TestWithParam<Kind> {
+protected:
+    void SetUp() override {
+        Diagnostics diagnostics;
+        std::optional<scene::Scene> scene = import_scene(LANCER_SOURCE_FOLDER "/scenes/" + GetParam().scene, diagnostics);
+        ASSERT_TRUE(scene);
+        scene->settings.width = width;
+        scene->settings.height = height;
+        device_ = make_cpu_device(compile_world(*scene, scene->cameras.front(), diagnostics), {});
+        options_.width = width;
+        options_.height = height;
+        options_.ssaa = 2;
+        options_.spp = GetParam().spp;
+        options_.adaptive = GetParam().adaptive;
+        options_.threads = 2;
+        file_ = (std::filesystem::temp_directory_path() / ("lancer-shards-" + std::to_string(::getpid()) + GetParam().name)).string();
+    }
+    void TearDown() override {
+        std::error_code ignored;
+        std::filesystem::remove(file_, ignored);
+    }
+
+    Whole fresh() const { return Whole(options_, GetParam().layers); }
+    std::string uninterrupted() const {
+        Whole whole = fresh();
+        render(*device_, options_, *whole.state);
+        return whole.bytes();
+    }
+    // Writes the state and reads it into another.
+    void through_file(const Whole& from, Whole& to) const {
+        write_film_file(file_, {{{"key", "text"}}, {{"list", {"a", "b"}}}}, *from.state);
+        const FilmFile file(file_);
+        EXPECT_EQ(file.about().text("key"), "text");
+        EXPECT_EQ(file.about().list("list").size(), 2u);
+        EXPECT_EQ(file.shape(), shape_of(*to.state));
+        file.add_to(*to.state);
+    }
+
+    std::unique_ptr<Device> device_;
+    RenderOptions options_;
+    std::string file_;
+};
+
+TEST_P(Shared, AnySplitMergedIsTheWhole) {
+    const std::string whole = uninterrupted();
+    for (const int shards : {2, 3, 7}) {
+        Whole merged = fresh();
+        for (int shard = shards; shard >= 1; --shard) {
+            RenderOptions part = options_;
+            part.shard = shard;
+            part.shards = shards;
+            part.shuffle = static_cast<std::uint32_t>(shard);
+            Whole share = fresh();
+            EXPECT_TRUE(render(*device_, part, *share.state).finished);
+            through_file(share, merged);
+        }
+        EXPECT_TRUE(merged.bytes() == whole) << shards << " shards";
+    }
+}
+
+TEST_P(Shared, StoppedAndResumedIsTheWhole) {
+    const std::string whole = uninterrupted();
+    Whole film = fresh();
+    bool finished = false;
+    int stops = 0;
+    for (int tiles = 1; !finished; tiles += 3, ++stops) {
+        After after(tiles);
+        finished = render(*device_, options_, *film.state, &after, &after.cancel).finished;
+        Whole next = fresh();
+        through_file(film, next);
+        EXPECT_TRUE(next.bytes() == film.bytes() || !finished);
+        film.film = next.film;
+        film.sums = std::move(next.sums);
+        film.state.emplace(film.film, film.sums ? &*film.sums : nullptr, tile_size_for(options_));
+        FilmFile(file_).add_to(*film.state);
+    }
+    EXPECT_GT(stops, 2);
+    EXPECT_TRUE(film.bytes() == whole);
+}
+
+INSTANTIATE_TEST_SUITE_P(Golden, Shared,
+                         testing::Values(Kind{"Whitted", "report/figure-1.toml", false, 0, {}},
+                                         Kind{"WhittedAdaptive", "report/figure-1.toml", true, 0, {}},
+                                         Kind{"Paths", "gallery/cornell-box.toml", false, 19, {}},
+                                         Kind{"PathsWithEverything", "gallery/cornell-box.toml", false, 5, {true, true, true, true, 7}}),
+                         [](const auto& one) { return one.param.name; });
+
+TEST(Samples, MoreLaterAreTheSameAsMoreAtOnce) {
+    Diagnostics diagnostics;
+    std::optional<scene::Scene> scene = import_scene(LANCER_SOURCE_FOLDER "/scenes/gallery/cornell-box.toml", diagnostics);
+    ASSERT_TRUE(scene);
+    RenderOptions options;
+    options.width = scene->settings.width = 45;
+    options.height = scene->settings.height = 33;
+    const auto device = make_cpu_device(compile_world(*scene, scene->cameras.front(), diagnostics), {});
+    const FilmLayers layers{true, true, false, false, 3};
+    Whole in_steps(RenderOptions{options.width, options.height, 1, 1}, layers);
+    for (const int spp : {1, 3, 22, 40}) {
+        options.spp = spp;
+        render(*device, options, *in_steps.state);
+        Whole at_once(options, layers);
+        render(*device, options, *at_once.state);
+        EXPECT_TRUE(in_steps.bytes() == at_once.bytes()) << spp << " samples";
+    }
+}
+
+TEST(Shards, AreEvenAndCoverAll) {
+    for (const int shards : {1, 2, 3, 8, 20}) {
+        std::vector<int> counts(static_cast<std::size_t>(shards) + 1, 0);
+        for (const int shard : shards_of_tiles(17, shards)) {
+            ++counts.at(static_cast<std::size_t>(shard));
+        }
+        EXPECT_EQ(counts[0], 0);
+        for (int shard = 1; shard <= shards; ++shard) {
+            EXPECT_NEAR(counts[static_cast<std::size_t>(shard)], 17.0 / shards, 1.0) << shards;
+        }
+    }
+}
+
+TEST(FilmFile, EveryDamageIsNoticed) {
+    RenderOptions options;
+    options.width = 5;
+    options.height = 4;
+    options.spp = 1;
+    Whole whole(options, {});
+    whole.state->add_round(0);
+    const std::string path = (std::filesystem::temp_directory_path() / ("lancer-film-" + std::to_string(::getpid()))).string();
+    write_film_file(path, {{{"key", "text"}}, {}}, *whole.state);
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    const std::string good = text.str();
+    EXPECT_NO_THROW(FilmFile{path});
+    const auto put = [&](const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; };
+    for (std::size_t i = 0; i < good.size(); ++i) {
+        std::string bad = good;
+        bad[i] = static_cast<char>(bad[i] ^ 0x10);
+        put(bad);
+        EXPECT_THROW(FilmFile{path}, FilmDamaged) << "byte " << i;
+        put(good.substr(0, i));
+        EXPECT_THROW(FilmFile{path}, FilmDamaged) << "cut at " << i;
+    }
+    put(good + "x");
+    EXPECT_THROW(FilmFile{path}, FilmDamaged);
+    std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace lancer
