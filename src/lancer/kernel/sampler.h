@@ -113,8 +113,8 @@ FN Vec2 sample_pair(IN(Sampler) start, UInt decision) {
 
 // One number for a decision, uniform in [0, 1), of which the path uses those a quarter, a half and three quarters away, too: so they are put on a
 // lattice within a quarter, evenly spaced for any power of two of samples, that all of a pixel's samples shift alike. What is smooth and goes
-// round, as the light over a path's wavelengths does, it sums up with far less error than scattered points [Cranley and Patterson 1976]. Each four
-// samples begin in all four quarters.
+// round, as the light over a path's wavelengths does, it sums up with far less error than scattered points [Cranley and Patterson 1976]. Which of
+// the four quarters comes first goes through all of them in each four samples, and in each sixteen at all places of the quarter.
 FN Float quartered_number(IN(Sampler) start, UInt sample_number, UInt decision) {
     UInt shift = scramble(start.key + decision);
     Float within = unit_interval(start.reversed + shift);

@@ -33,7 +33,22 @@ void place(scene::Light& light, const glm::dmat4& map) {
                               spot.position = moved(map, spot.position);
                               spot.direction = turned(map, spot.direction);
                           },
-                          [&](scene::DirectionalLight& sun) { sun.direction = turned(map, sun.direction); }},
+                          [&](scene::DirectionalLight& sun) { sun.direction = turned(map, sun.direction); },
+                          [&](scene::ProjectorLight& projector) {
+                              projector.position = moved(map, projector.position);
+                              projector.direction = turned(map, projector.direction);
+                              projector.up = turned(map, projector.up);
+                          },
+                          [&](scene::GoniometricLight& lamp) {
+                              lamp.position = moved(map, lamp.position);
+                              lamp.direction = turned(map, lamp.direction);
+                              lamp.up = turned(map, lamp.up);
+                          },
+                          [&](scene::IesLight& lamp) {
+                              lamp.position = moved(map, lamp.position);
+                              lamp.direction = turned(map, lamp.direction);
+                              lamp.forward = turned(map, lamp.forward);
+                          }},
                light.model);
 }
 
@@ -49,7 +64,7 @@ void place(scene::Camera& camera, const glm::dmat4& map) {
 
 bool is_black(const scene::Background& background) {
     const scene::Color black;
-    return !background.image && background.zenith == black && background.horizon == black && background.nadir == black;
+    return !background.image && !background.sky && background.zenith == black && background.horizon == black && background.nadir == black;
 }
 
 class Reading {
