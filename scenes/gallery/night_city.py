@@ -39,7 +39,7 @@ def tower(x0, x1, z0, z1, height):
         walls.append([(ax, 0, az), (bx, 0, bz), (bx, height, bz), (ax, height, az)])
         length = abs(bx - ax) + abs(bz - az)
         dx, dz = (bx - ax) / length, (bz - az) / length
-        nx, nz = -dz * -1, dx * -1  # outwards: to the right of the way round
+        nx, nz = -dz, dx  # outwards
         columns = max(int(length / 0.8), 1)
         for row in range(1, int(height / 0.9)):
             lit = 0.13 if rng.random() < 0.9 else 0.6
@@ -86,7 +86,7 @@ with open(os.path.join(HERE, "night-city.toml"), "w") as out:
 [render]
 size = [1280, 720]
 spp = 512
-exposure = 2.2
+exposure = 3.4
 view = "agx"
 bounces = 6
 

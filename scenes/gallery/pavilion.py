@@ -11,8 +11,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 TIMES = {
     "morning": ("2026-06-21T06:50:00+02:00", 1.9, "in the morning, an hour after sunrise"),
-    "noon": ("2026-06-21T13:30:00+02:00", 0.55, "at noon"),
-    "dusk": ("2026-06-21T21:45:00+02:00", 5.2, "at dusk, just before sunset"),
+    "noon": ("2026-06-21T13:30:00+02:00", 1.1, "at noon"),
+    "dusk": ("2026-06-21T20:40:00+02:00", 3.2, "in the evening, a quarter of an hour before sunset"),
 }
 
 HEAD = """# A pavilion by the water near Florence, {what}. All light is that of the computed sky and its sun. Made by pavilion.py.
