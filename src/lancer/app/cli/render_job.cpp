@@ -311,7 +311,7 @@ int run_render_job(const CLI::App& app, RenderJob job, std::optional<Begun> begu
     if (const auto sentence = sort_files(job)) {
         return refuse(*sentence, app);
     }
-    if (job.frames) {
+    if (job.frames || job.fps) {
         return run_frames(app, job);
     }
     return Run(std::move(job), std::move(begun)).run();
