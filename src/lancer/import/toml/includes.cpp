@@ -32,6 +32,7 @@ void place(scene::Light& light, const glm::dmat4& map) {
                           [&](scene::SpotLight& spot) {
                               spot.position = moved(map, spot.position);
                               spot.direction = turned(map, spot.direction);
+                              spot.up = turned(map, spot.up);
                           },
                           [&](scene::DirectionalLight& sun) { sun.direction = turned(map, sun.direction); },
                           [&](scene::ProjectorLight& projector) {

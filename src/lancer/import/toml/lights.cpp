@@ -34,7 +34,21 @@ glm::dvec3 read_direction(TableReader& reader, const glm::dvec3& position) {
     return result;
 }
 
-scene::SpotLight read_spot(TableReader& reader) {
+scene::ImageTexture read_picture(Context& context, TableReader& reader) {
+    scene::ImageTexture image;
+    image.position = reader.position("image");
+    if (const std::string file = reader.text("image"); !file.empty()) {
+        image.file = path_beside(context.messages.file(), file);
+        if (!context.files.image(image.file, image.position)) {
+            reader.spoil();
+        }
+    }
+    image.linear = reader.choice("encoding") == 1;
+    image.tint = read_rgb(reader, "tint");
+    return image;
+}
+
+scene::SpotLight read_spot(Context& context, TableReader& reader) {
     scene::SpotLight spot;
     spot.position = reader.vector3("position");
     spot.direction = read_direction(reader, spot.position);
@@ -45,19 +59,14 @@ scene::SpotLight read_spot(TableReader& reader) {
     } else if (reader.good() && spot.falloff > spot.angle) {
         reader.error("falloff", fmt::format("\"falloff\" must be at most \"angle\", {} degrees, not {}", spot.angle, spot.falloff));
     }
-    return spot;
-}
-
-scene::ImageTexture read_picture(Context& context, TableReader& reader) {
-    scene::ImageTexture image;
-    image.position = reader.position("image");
-    if (const std::string file = reader.text("image"); !file.empty()) {
-        image.file = path_beside(context.messages.file(), file);
-        if (!context.files.image(image.file, image.position)) {
-            reader.spoil();
-        }
+    if (reader.has("image")) {
+        spot.image = read_picture(context, reader);
     }
-    return image;
+    spot.up = reader.direction("up");
+    if (spot.image && reader.good() && !unit_vector(glm::cross(spot.direction, spot.up))) {
+        reader.error(reader.position(), "\"up\" must not point where the light shines");
+    }
+    return spot;
 }
 
 scene::ProjectorLight read_projector(Context& context, TableReader& reader) {
@@ -141,7 +150,7 @@ std::optional<ReadLight> read_light(Context& context, const toml::table& table) 
             light.model = scene::PointLight{reader.vector3("position")};
             break;
         case 1:
-            light.model = read_spot(reader);
+            light.model = read_spot(context, reader);
             break;
         case 2:
             light.model = scene::DirectionalLight{reader.direction("direction")};

@@ -59,6 +59,12 @@ Key light_power(std::string_view unit) {
             unit,    "For physical scenes: what it gives, weighed by the eye; and its colour. There it stands for color and intensity."};
 }
 
+Key thrown_encoding() {
+    return {"encoding", Kind::choice, "srgb", any, "", "How 8 and 16 bits store colours in the image.", false, {"srgb", "linear"}};
+}
+
+Key thrown_tint() { return {"tint", Kind::rgb, glm::dvec3(1.0), not_negative, "", "Multiplies the colours of the image."}; }
+
 Key thrown_power(std::string_view help) { return {"power", Kind::color, none, not_negative, "W/sr", help, true}; }
 
 }  // namespace
@@ -102,7 +108,12 @@ const Table& spot_light() {
          {"direction", Kind::direction, none, any, "", "Where it shines; instead of look_at."},
          {"look_at", Kind::vector3, none, any, "m", "The point that it shines at; instead of direction."},
          {"angle", Kind::number, 30.0, Range{0.0, 180.0, true, true}, "degrees", "From the cone's axis to where the light ends."},
-         {"falloff", Kind::number, 5.0, Range{0.0, 180.0}, "degrees", "Over how much of angle it fades, measured inwards; at most angle."}},
+         {"falloff", Kind::number, 5.0, Range{0.0, 180.0}, "degrees", "Over how much of angle it fades, measured inwards; at most angle."},
+         {"image", Kind::file, none, any, "",
+          "A picture that dims it, thrown over the square around the cone; seen from the scene file's folder (path)."},
+         thrown_encoding(),
+         thrown_tint(),
+         {"up", Kind::direction, upwards, any, "", "What is up in the picture."}},
         light_power("W/sr"));
     return table;
 }
@@ -131,6 +142,8 @@ const Table& projector_light() {
           false,
           {"width", "height", "smaller"}},
          {"image", Kind::file, none, any, "", "The picture, seen from the scene file's folder; a white square when not written."},
+         thrown_encoding(),
+         thrown_tint(),
          {"even", Kind::flag, true, any, "",
           "Whether a screen at right angles is as bright at its edges as in the middle; else the light is as intense in each direction."}},
         thrown_power("What it gives along its axis where the picture is white, weighed by the eye; and its colour."), false);
@@ -144,7 +157,9 @@ const Table& goniometric_light() {
                {"direction", Kind::direction, glm::dvec3(0.0, 0.0, -1.0), any, "", "Where the picture's middle points."},
                {"up", Kind::direction, upwards, any, "", "Where the picture's top points."},
                {"image", Kind::file, none, any, "",
-                "A latitude-longitude picture, twice as wide as high, of the directions as they are seen from the light.", true}},
+                "A latitude-longitude picture, twice as wide as high, of the directions as they are seen from the light.", true},
+               thrown_encoding(),
+               thrown_tint()},
               thrown_power("What it gives where the picture is white, weighed by the eye; and its colour."), false);
     return table;
 }

@@ -41,6 +41,12 @@ std::string write_photometry(WriteContext& context, const std::shared_ptr<const 
     return known->second;
 }
 
+void add_picture(WriteContext& context, Fields& fields, const scene::ImageTexture& image) {
+    fields.text("image", write_picture(context, image));
+    fields.text("encoding", image.linear ? "linear" : "srgb", "srgb");
+    fields.vector("tint", image.tint, scene::Rgb(1.0));
+}
+
 void add_model(WriteContext& context, Fields& fields, const decltype(scene::Light::model)& model) {
     std::visit(Overloaded{[&](const scene::PointLight& point) {
                               const auto& [at] = point;
@@ -48,12 +54,16 @@ void add_model(WriteContext& context, Fields& fields, const decltype(scene::Ligh
                               fields.vector("position", at);
                           },
                           [&](const scene::SpotLight& spot) {
-                              const auto& [at, direction, angle, falloff] = spot;
+                              const auto& [at, direction, angle, falloff, image, up] = spot;
                               fields.text("type", "spot");
                               fields.vector("position", at);
                               fields.vector("direction", direction);
                               fields.number("angle", angle);
                               fields.number("falloff", falloff);
+                              if (image) {
+                                  add_picture(context, fields, *image);
+                                  fields.vector("up", up);
+                              }
                           },
                           [&](const scene::DirectionalLight& sun) {
                               const auto& [direction] = sun;
@@ -69,7 +79,7 @@ void add_model(WriteContext& context, Fields& fields, const decltype(scene::Ligh
                               fields.number("fov", fov);
                               fields.text("fov_axis", word(fov_axis), word(scene::ProjectorFov::width));
                               if (image) {
-                                  fields.text("image", write_picture(context, *image));
+                                  add_picture(context, fields, *image);
                               }
                               fields.flag("even", even, true);
                           },
@@ -79,7 +89,7 @@ void add_model(WriteContext& context, Fields& fields, const decltype(scene::Ligh
                               fields.vector("position", at);
                               fields.vector("direction", direction);
                               fields.vector("up", up);
-                              fields.text("image", write_picture(context, image));
+                              add_picture(context, fields, image);
                           },
                           [&](const scene::IesLight& lamp) {
                               const auto& [at, direction, forward, photometry] = lamp;

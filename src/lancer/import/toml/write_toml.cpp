@@ -92,7 +92,7 @@ std::string write_contents(WriteContext& context, const std::vector<scene::Objec
 
 WrittenScene write_toml(const scene::Scene& written, const std::string& path) {
     using namespace notation;
-    const auto& [file, hash, inputs, cameras, media, medium, materials, groups, objects, placements, lights, background, ambient,
+    const auto& [file, hash, inputs, cameras, materials, media, medium, groups, objects, placements, lights, background, ambient,
                  settings] = written;
     static_cast<void>(hash), static_cast<void>(inputs);
     const std::filesystem::path target(path);
