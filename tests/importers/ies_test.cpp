@@ -54,7 +54,7 @@ TEST(Ies, UnfoldsSymmetry) {
     const Ies open = read(head + "1 1 1 2 3 1 1 0 0 0\n1 1 1\n0 90\n0 120 240\n1 1 2 2 3 3\n");
     ASSERT_TRUE(open.photometry) << open.messages;
     EXPECT_EQ(open.photometry->horizontal, (std::vector<double>{0, 120, 240, 360}));
-    EXPECT_NE(open.messages.find("lamp.ies:8:0: warning"), std::string::npos) << open.messages;
+    EXPECT_NE(open.messages.find("lamp.ies:8: warning"), std::string::npos) << open.messages;
 }
 
 TEST(Ies, LightThatStartsAtTheHorizonIsDarkBelow) {
@@ -81,7 +81,7 @@ TEST(Ies, SaysWhatIsWrong) {
     wrong(head + "1 1 1 2 1 2 1 0 0 0\n1 1 1\n0 90\n0\n5 6\n", "type B");
     wrong(head + "1 1 0 2 1 1 1 0 0 0\n1 1 1\n0 90\n0\n5 6\n", "more than 0");
     wrong(head + "1 1 1 2 1 1 1 0 0 0\n1 1 1\n90 0\n0\n5 6\n", "must rise");
-    wrong(head + "1 1 1 2 1 1 1 0 0 0\n1 1 1\n0 90\n0\n5 -6\n", "lamp.ies:8:0: error: \"-6\" as candela");
+    wrong(head + "1 1 1 2 1 1 1 0 0 0\n1 1 1\n0 90\n0\n5 -6\n", "lamp.ies:8: error: \"-6\" as candela");
     wrong(head + "1 1 1 99999 99999 1 1 0 0 0\n1 1 1\n0 90\n0\n5 6\n", "too short");
     wrong(head + "1 1 1 2 1 1 x 0 0 0\n", "\"x\" is no number");
 }

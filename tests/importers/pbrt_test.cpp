@@ -101,9 +101,10 @@ TEST(Pbrt, LightsAreAsBrightAsPbrtMakesThem) {
     const double sensitivity = 400.0 / 100.0 * 0.5;
     EXPECT_EQ(*r.scene->lights.at(0).power, scene::Rgb(2, 4, 6) * sensitivity);
     EXPECT_NEAR(r.scene->lights.at(1).power->rgb.y, sensitivity, 1e-9);
-    const glm::dvec3 sun = r.scene->lights.at(2).power->rgb;
-    EXPECT_NEAR(glm::dot(sun, glm::dvec3(0.2126, 0.7152, 0.0722)), 7.0 * sensitivity, 1e-2 * 7.0);
-    EXPECT_GT(sun.x, sun.z) << "warmer than daylight";
+    const auto& sun = r.scene->lights.at(2).power->spectrum;
+    ASSERT_TRUE(sun);
+    EXPECT_EQ(std::get<scene::BlackbodySpectrum>(sun->shape).kelvin, 5000.0);
+    EXPECT_NEAR(sun->luminance.value_or(1.0) * sun->scale, 7.0 * sensitivity, 1e-2 * 7.0);
     EXPECT_FALSE(r.scene->settings.rgb) << "a black body is a spectrum";
 }
 

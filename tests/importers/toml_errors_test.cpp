@@ -66,9 +66,9 @@ const Mistake whole_files[] = {
      {": error: the scene is dark: it needs a [[light]], a material or medium with `emission`, a [background] or `ambient` light"}},
     {"UnknownTable", "[[spere]]\n" + rest, {":1:3: error: a scene has no \"spere\"; did you mean \"sphere\"?"}},
     {"UnknownOther",
-     "[sky]\n" + rest,
-     {":1:2: error: a scene has no \"sky\"; there may be camera, light, material, medium, group, place, include, background, ambient, "
-      "render, "
+     "[weather]\n" + rest,
+     {":1:2: error: a scene has no \"weather\"; there may be camera, light, material, medium, group, place, include, background, sky, "
+      "ambient, render, "
       "sphere, box, "
       "plane, disk, cylinder, cone, mesh"}},
     {"KeyOutsideOfItsTable", "size = [3, 4]\n" + rest, {":1:1: error: a scene has no \"size\"; it belongs below [render]"}},
@@ -304,7 +304,7 @@ const Mistake settings[] = {
     {"Ssaa", "[render]\nssaa = 0\n", {":2:8: error: \"ssaa\" must be from 1 to 64, not 0"}},
     {"Integrator",
      "[render]\nintegrator = 'pats'\n",
-     {":2:14: error: \"integrator\" must be \"auto\", \"whitted\", \"path\" or \"direct\", not \"pats\""}},
+     {":2:14: error: \"integrator\" must be \"auto\", \"whitted\", \"path\", \"direct\", \"light\", \"bdpt\" or \"vcm\", not \"pats\""}},
     {"Aa", "[render]\naa = 4\n", {":2:6: error: \"aa\" must be \"uniform\" or \"adaptive\", not a number"}},
     {"HugeNumber",
      "[render]\nbounces = 9223372036854775807\n",

@@ -224,7 +224,8 @@ int TableReader::integer(std::string_view key) {
 }
 
 bool TableReader::flag(std::string_view key) {
-    const bool preset = std::get<bool>(described(key, Kind::flag).preset);
+    const bool* const described_preset = std::get_if<bool>(&described(key, Kind::flag).preset);
+    const bool preset = described_preset && *described_preset;  // none: what it is depends on other keys, and the caller knows
     const toml::node* node = value(key, Kind::flag);
     if (node && !node->is_boolean()) {
         error(key, fmt::format("\"{}\" must be true or false, not {}", key, what_it_is(*node)));
