@@ -2,6 +2,7 @@
 #ifndef LANCER_KERNEL_PHYSICAL_RECORDS_H
 #define LANCER_KERNEL_PHYSICAL_RECORDS_H
 
+#include "lancer/kernel/affine_record.h"
 #include "lancer/kernel/language.h"
 
 RECORDS_BEGIN

@@ -3,6 +3,7 @@
 #ifndef LANCER_KERNEL_RECORDS_H
 #define LANCER_KERNEL_RECORDS_H
 
+#include "lancer/kernel/affine_record.h"
 #include "lancer/kernel/language.h"
 
 RECORDS_BEGIN
@@ -27,14 +28,6 @@ struct SphereRecord {
 struct BoxRecord {
     vec3 low;
     vec3 high;
-};
-
-// An affine map by its rows: (x, y, z) -> row_i . (x, y, z) + shift_i.
-struct AffineRecord {
-    vec3 row_x;
-    vec3 row_y;
-    vec3 row_z;
-    vec3 shift;
 };
 
 // Points p with dot(p, normal) = offset; normals have length 1. Textures live in the author's space.
