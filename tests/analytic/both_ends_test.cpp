@@ -96,7 +96,7 @@ TEST_P(BothEnds, FurnaceIsAsBrightAsItsSeries) {
         Physical world(1000);
         world.scene.settings.rgb = rgb;
         world.add(scene::Sphere{{0.0, 0.0, 5.0}, 2.0}, world.material(diffuse(0.5, 1.0, true)));
-        expect_near(mean_of_picture(world, GetParam(), 16, 160), 2.0, 0.002);
+        expect_near(mean_of_picture(world, GetParam(), 16, 256), 2.0, 0.002);
     }
 }
 

@@ -104,9 +104,9 @@ std::shared_ptr<const World> world_of_lights(unsigned seed, int count, bool far)
     if (far) {
         add_light(scene, scene::DirectionalLight{{0.3, -1.0, 0.2}}, 0.4);
         add_light(scene, scene::DirectionalLight{{-0.8, 0.1, 0.2}}, 0.2);
-        scene.background.zenith = scene::Rgb(0.08);  // an even one would be left to materials
-        scene.background.horizon = scene::Rgb(0.04);
-        scene.background.nadir = scene::Rgb(0.02);
+        scene.background.zenith = scene::Rgb(0.4);  // a more even sky would be left to materials
+        scene.background.horizon = scene::Rgb(0.005);
+        scene.background.nadir = scene::Rgb(0.005);
     }
     Diagnostics diagnostics;
     auto world = compile_world(scene, scene.cameras.front(), diagnostics);
