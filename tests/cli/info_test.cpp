@@ -58,7 +58,8 @@ INSTANTIATE_TEST_SUITE_P(
             "scene.toml:7:47: warning: cannot read \"gone.png\""},
         Odd{"no_power", view + "[[light]]\nname = \"off\"\ntype = \"directional\"\ndirection = [0, -1, 0]\nintensity = 0\n[[sphere]]\n",
             "scene.toml:6:1: warning: light \"off\" gives no light"},
-        Odd{"lamp_without_strength", view + "power = [9, 9, 9]\n[[sphere]]\nmaterial = { type = \"diffuse\", emission = [1, 1, 1], emission_strength = 0 }\n",
+        Odd{"lamp_without_strength",
+            view + "power = [9, 9, 9]\n[[sphere]]\nmaterial = { type = \"diffuse\", emission = [1, 1, 1], emission_strength = 0 }\n",
             "shines with a strength of 0"},
         Odd{"millimetres", view + "[[sphere]]\ncenter = [0, 0, -5000]\nradius = 2000\n", "were millimetres taken for metres?"}),
     [](const auto& odd) { return odd.param.name; });
