@@ -1,7 +1,7 @@
 // The clear sky of kernel/emitter/sky_model.h.
 #pragma once
 
-#include "lancer/scene/scene.h"
+#include "lancer/scene/lights.h"
 #include "lancer/world/surfaces.h"
 #include "lancer/world/world.h"
 

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "lancer/base/diagnostic.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/color.h"
+#include "lancer/scene/textures.h"
 #include "lancer/world/world.h"
 
 namespace lancer {

@@ -1,7 +1,8 @@
 // Lights that throw a picture, as records.
 #pragma once
 
-#include "lancer/scene/scene.h"
+#include "lancer/scene/color.h"
+#include "lancer/scene/lights.h"
 #include "lancer/world/surfaces.h"
 #include "lancer/world/textures.h"
 #include "lancer/world/world.h"

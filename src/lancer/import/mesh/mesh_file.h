@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lancer/base/diagnostic.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/shapes.h"
 
 namespace lancer {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lancer/import/obj/obj_parse.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/shapes.h"
 
 namespace lancer::obj {
 
