@@ -52,9 +52,14 @@ picture camera-tele features/camera --camera tele --size 480x270
 for scene in sphereflake chess glassware city; do
     picture "$scene" "gallery/$scene" "${small[@]}"
 done
-for scene in metals clear-bodies plastics principled facets burley depth-of-field lamps; do
-    picture "$scene" "features/$scene" "${small[@]}"
+for scene in metals clear-bodies plastics principled facets burley depth-of-field lamps many-lights sky fog-overlap; do
+    picture "$scene" "features/$scene" "${small[@]}" --spp 512
 done
+for scene in fog-balls goniometric light-ies projector; do
+    picture "$scene" "features/$scene" "${small[@]}" --spp 2048
+done
+picture fog-cloud features/fog-cloud "${small[@]}" --spp 512
+picture fog-flame features/fog-flame --size 480x480 --spp 1024
 picture metamers features/metamers --size 960x400
 picture environment features/environment "${small[@]}"
 for samples in emitter bsdf mis; do
@@ -65,7 +70,7 @@ for scene in mapping masks mixes bumps vertex-colors; do
 done
 picture cornell-box gallery/cornell-box --size 480x480
 for view in srgb pbr-neutral agx aces; do
-    picture "view-$view" gallery/cornell-box --size 240x240 --spp 128 --exposure 2 --view "$view"
+    picture "view-$view" gallery/cornell-box --size 240x240 --spp 1024 --exposure 2 --view "$view"
 done
 
 # What stands beside the picture, made visible by oiiotool (Debian: openimageio-tools).
@@ -80,7 +85,7 @@ aov() {
         echo "aov-$name is left as it is: there is no oiiotool" >&2
         return 0
     fi
-    [ -s "$aovs" ] || "$lancer" render scenes/gallery/cornell-box.toml --size 240x240 --spp 128 --aov albedo,normal,direct,indirect -o "$aovs" --quiet
+    [ -s "$aovs" ] || "$lancer" render scenes/gallery/cornell-box.toml --size 240x240 --spp 2048 --aov albedo,normal,direct,indirect -o "$aovs" --quiet
     oiiotool "$aovs" --ch "$channels" "$@" -d uint8 -o "docs/pictures/aov-$name.png"
 }
 encoded=(--colorconvert linear sRGB)
@@ -94,12 +99,26 @@ aov indirect indirect.R,indirect.G,indirect.B --mulc 2 "${encoded[@]}"
     "$lancer" render scenes/pbrt/still-life.pbrt -o docs/pictures/pbrt.png --size 640x360 --progress plain 2>/dev/null
 picture gltf gltf/still-life.glb --size 480x320 --spp 96
 
+for time in morning noon dusk; do
+    picture "pavilion-$time" "gallery/pavilion-$time" "${small[@]}" --spp 256
+done
+for scene in light-shafts night-city; do
+    picture "$scene" "gallery/$scene" "${small[@]}" --spp 1024
+done
+for scene in metal-samples chess-focus diamonds daylight-room; do
+    picture "$scene" "gallery/$scene" "${small[@]}" --spp 512
+done
+picture still-life gallery/still-life "${small[@]}" --spp 512
+for scene in goblets flacon; do
+    picture "$scene" "gallery/$scene" --size 480x480 --spp 512
+done
+
 # Light from the lamps
 picture prism-rainbow gallery/prism "${small[@]}" --spp 192
-picture ring gallery/ring "${small[@]}" --spp 96
-picture diamond-fire gallery/diamond-fire "${small[@]}" --spp 128
-picture pool gallery/pool "${small[@]}" --spp 48
-picture wine-glass gallery/wine-glass --size 400x400 --spp 48
+picture ring gallery/ring "${small[@]}" --spp 256
+picture diamond-fire gallery/diamond-fire "${small[@]}" --spp 512
+picture pool gallery/pool "${small[@]}" --spp 192
+picture wine-glass gallery/wine-glass --size 400x400 --spp 256
 # About the same seconds on one machine.
 picture same-seconds-path features/both-ends --integrator path --size 400x300 --spp 96
 picture same-seconds-bdpt features/both-ends --integrator bdpt --size 400x300 --spp 24

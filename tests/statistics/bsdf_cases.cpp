@@ -256,9 +256,6 @@ std::vector<BsdfCase> white_cases() {
         cases.push_back(opaque(fmt::format("conductor of Beckmann's {}", alpha), beckmann(conductor(white, alpha, alpha, true))));
         for (const float eta : {1.1f, 1.5f, 2.4f, 1.0f / 1.1f, 1.0f / 1.5f, 1.0f / 2.4f}) {
             cases.push_back(dielectric("dielectric", white, eta, alpha, alpha));
-            if (eta < 1.0f) {
-                cases.back().furnace = 0.0085;  // from within, between the nodes of the table, of Beckmann's facets
-            }
             cases.push_back(beckmann(cases.back()));
         }
     }
@@ -268,7 +265,7 @@ std::vector<BsdfCase> white_cases() {
         cases.back().furnace = 0.0065;  // between the nodes of the table
         for (const float eta : {1.5f, 1.0f / 1.5f}) {
             cases.push_back(dielectric("dielectric", white, eta, x, y));
-            cases.back().furnace = eta > 1.0f ? 0.02 : 0.03;  // the table of stretched borders is coarse
+            cases.back().furnace = eta > 1.0f ? 0.005 : 0.0075;  // the table of stretched borders is coarse
         }
     }
     BsdfCase thin = opaque("thin dielectric", closure_of(BSDF_THIN_DIELECTRIC, white));

@@ -212,7 +212,7 @@ TEST(Bsdf, NoLightIsMade) {
         bright.closure.color = vec4_all(1.0f);
         // The table is coarser for stretched facets, worst for a clear body from within.
         const bool stretched = c.closure.roughness_x != c.closure.roughness_y;
-        const double coarse = !stretched ? 0.0 : !is_clear(c.closure) ? 0.0065 : c.closure.index.x < 1.0f ? 0.05 : 0.02;
+        const double coarse = !stretched ? 0.0 : !is_clear(c.closure) ? 0.0065 : c.closure.index.x < 1.0f ? 0.02 : 0.0065;
         const double most = 1.0 + std::max(c.furnace, coarse);
         for (const double cosine : {1.0, 0.5, 0.2, 0.03}) {
             const Furnace furnace = in_furnace(bright.closure, cosine, 60, numbers);

@@ -82,7 +82,7 @@ public:
         } else if (const auto* lamp = std::get_if<scene::GoniometricLight>(&light.model)) {
             compile_thrown(*lamp, *light.power, world_, textures_, colors_, record);
         } else if (const auto* measured = std::get_if<scene::IesLight>(&light.model)) {
-            compile_thrown(*measured, *light.power, world_, colors_, record);
+            compile_thrown(*measured, *light.power, world_, photometries_, colors_, record);
         }
         record.middle = record.position;
         world_.emitters.push_back(record);
@@ -383,6 +383,7 @@ private:
     World& world_;
     Textures& textures_;
     Colors& colors_;
+    Photometries photometries_;
     Diagnostics& diagnostics_;
     int parts_ = 0;            // triangles that are emitters of their own
     double mesh_light_ = 0.0;  // mean luminance of the texture of the mesh that was placed last

@@ -81,8 +81,8 @@ void put_shares(const std::vector<double>& parts, std::vector<float>& shares) {
     }
 }
 
-// The cells' cumulative shares; and the record's strength, the mean intensity over `opening`, a solid angle.
-void share_out(World& world, int columns, int rows, double opening, double scale, kernel::EmitterRecord& record) {
+// The cells' cumulative shares. Returns the mean intensity over `opening`, a solid angle.
+double share_out(World& world, int columns, int rows, double opening, kernel::EmitterRecord& record) {
     const kernel::WorldRecord tables = world.record();
     const double du = 1.0 / (columns * points_a_cell), dv = 1.0 / (rows * points_a_cell);
     std::vector<std::vector<double>> cells(static_cast<std::size_t>(rows));
@@ -100,7 +100,6 @@ void share_out(World& world, int columns, int rows, double opening, double scale
             all += solid_angle(record, (column + 0.5) / columns, (row + 0.5) / rows, 1.0 / columns, 1.0 / rows);
         }
     }
-    record.strength = static_cast<float>(sum * scale / opening);
     std::vector<double> lights;
     for (int row = 0; row < rows; ++row) {
         double light = 0.0;
@@ -118,6 +117,7 @@ void share_out(World& world, int columns, int rows, double opening, double scale
     for (const std::vector<double>& row : cells) {
         put_shares(row, world.distributions);
     }
+    return sum / opening;
 }
 
 // Where the axis points, and the two directions of a picture at right angles to it.
@@ -160,6 +160,39 @@ double power_scale(const kernel::ColorRecord& light, const scene::Color& power, 
     return light.texture >= 0 && !(power.spectrum && spectral) ? 1.0 : brightness(kernel::vec3(emitted(power)));
 }
 
+// Puts them into the world. `record`: of a lamp that has them.
+PhotometricTables photometric_tables(const scene::Photometry& photometry, World& world, kernel::EmitterRecord record) {
+    record.profile = static_cast<int>(world.distributions.size());
+    const std::size_t rows = photometry.vertical.size(), columns = photometry.horizontal.size();
+    std::vector<float>& table = world.distributions;
+    const bool even = columns == 1;
+    table.push_back(static_cast<float>(rows));
+    table.push_back(static_cast<float>(even ? 2 : columns));
+    for (const double angle : photometry.vertical) {
+        table.push_back(static_cast<float>(angle / 180.0));
+    }
+    for (const double angle : photometry.horizontal) {
+        table.push_back(static_cast<float>(angle / 360.0));
+    }
+    if (even) {
+        table.push_back(1.0f);
+    }
+    double reach = 0.0;
+    for (std::size_t i = 0; i < (even ? 2 : columns); ++i) {
+        for (std::size_t j = 0; j < rows; ++j) {
+            const double candela = photometry.candela[(even ? 0 : i) * rows + j];
+            table.push_back(static_cast<float>(candela));
+            if (candela > 0.0) {
+                reach = std::max(reach, photometry.vertical[std::min(j + 1, rows - 1)]);
+            }
+        }
+    }
+    record.cos_outer = reach < 180.0 ? static_cast<float>(std::cos(glm::radians(reach))) - 1e-4f : -2.0f;
+    const double opening = std::max(2.0 * std::numbers::pi * (1.0 - std::cos(glm::radians(reach))), 1e-6);
+    const double mean = share_out(world, even ? 1 : 72, 90, opening, record);
+    return {record.profile, record.first_share, record.share_count, record.columns, record.cos_outer, mean};
+}
+
 }  // namespace
 
 void compile_thrown(const scene::ProjectorLight& light, const scene::Color& power, World& world, Textures& textures, Colors& colors,
@@ -188,8 +221,9 @@ void compile_thrown(const scene::ProjectorLight& light, const scene::Color& powe
     record.even = light.even ? 1 : 0;
     const double opening =
         4.0 * std::asin(half_width * half_height / std::sqrt((1.0 + half_width * half_width) * (1.0 + half_height * half_height)));
-    share_out(world, std::clamp(static_cast<int>(size.x), 16, most_cells), std::clamp(static_cast<int>(size.y), 16, most_cells), opening,
-              power_scale(record.light, power, world.spectral), record);
+    const double mean = share_out(world, std::clamp(static_cast<int>(size.x), 16, most_cells),
+                                  std::clamp(static_cast<int>(size.y), 16, most_cells), opening, record);
+    record.strength = static_cast<float>(mean * power_scale(record.light, power, world.spectral));
 }
 
 void compile_thrown(const scene::SpotLight& light, const scene::Color& power, World& world, Textures& textures, Colors& colors,
@@ -224,12 +258,13 @@ void compile_thrown(const scene::GoniometricLight& light, const scene::Color& po
     record.light = picture_light(image, power, world, textures, colors);
     record.cos_outer = -2.0f;
     const glm::ivec2 size = size_of(world, record.light);
-    share_out(world, std::clamp(size.x, 8, most_cells), std::clamp(size.y, 4, most_cells / 2), 4.0 * std::numbers::pi,
-              power_scale(record.light, power, world.spectral), record);
+    const double mean =
+        share_out(world, std::clamp(size.x, 8, most_cells), std::clamp(size.y, 4, most_cells / 2), 4.0 * std::numbers::pi, record);
+    record.strength = static_cast<float>(mean * power_scale(record.light, power, world.spectral));
 }
 
-void compile_thrown(const scene::IesLight& light, const scene::Color& power, World& world, Colors& colors, kernel::EmitterRecord& record) {
-    const scene::Photometry& photometry = *light.photometry;
+void compile_thrown(const scene::IesLight& light, const scene::Color& power, World& world, Photometries& known, Colors& colors,
+                    kernel::EmitterRecord& record) {
     record.kind = kernel::EMITTER_IES;
     record.position = kernel::vec3(light.position);
     set_axes(light.direction, light.forward, record);
@@ -237,34 +272,16 @@ void compile_thrown(const scene::IesLight& light, const scene::Color& power, Wor
     record.across = record.upwards;
     record.upwards = kernel::vec3(glm::cross(glm::dvec3(record.across), glm::dvec3(record.direction)));
     record.light = colors.light(power);
-    record.profile = static_cast<int>(world.distributions.size());
-    const std::size_t rows = photometry.vertical.size(), columns = photometry.horizontal.size();
-    std::vector<float>& table = world.distributions;
-    const bool even = columns == 1;
-    table.push_back(static_cast<float>(rows));
-    table.push_back(static_cast<float>(even ? 2 : columns));
-    for (const double angle : photometry.vertical) {
-        table.push_back(static_cast<float>(angle / 180.0));
+    if (known.find(light.photometry.get()) == known.end()) {
+        known[light.photometry.get()] = photometric_tables(*light.photometry, world, record);
     }
-    for (const double angle : photometry.horizontal) {
-        table.push_back(static_cast<float>(angle / 360.0));
-    }
-    if (even) {
-        table.push_back(1.0f);
-    }
-    double reach = 0.0;
-    for (std::size_t i = 0; i < (even ? 2 : columns); ++i) {
-        for (std::size_t j = 0; j < rows; ++j) {
-            const double candela = photometry.candela[(even ? 0 : i) * rows + j];
-            table.push_back(static_cast<float>(candela));
-            if (candela > 0.0) {
-                reach = std::max(reach, photometry.vertical[std::min(j + 1, rows - 1)]);
-            }
-        }
-    }
-    record.cos_outer = reach < 180.0 ? static_cast<float>(std::cos(glm::radians(reach))) - 1e-4f : -2.0f;
-    const double opening = std::max(2.0 * std::numbers::pi * (1.0 - std::cos(glm::radians(reach))), 1e-6);
-    share_out(world, even ? 1 : 72, 90, opening, power_scale(record.light, power, world.spectral), record);
+    const PhotometricTables& tables = known[light.photometry.get()];
+    record.profile = tables.profile;
+    record.first_share = tables.first_share;
+    record.share_count = tables.share_count;
+    record.columns = tables.columns;
+    record.cos_outer = tables.cos_outer;
+    record.strength = static_cast<float>(tables.mean * power_scale(record.light, power, world.spectral));
 }
 
 }  // namespace lancer

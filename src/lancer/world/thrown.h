@@ -1,6 +1,8 @@
 // Lights that throw a picture, as records.
 #pragma once
 
+#include <map>
+
 #include "lancer/scene/color.h"
 #include "lancer/scene/lights.h"
 #include "lancer/world/surfaces.h"
@@ -17,6 +19,19 @@ void compile_thrown(const scene::SpotLight& light, const scene::Color& power, Wo
                     kernel::EmitterRecord& record);
 void compile_thrown(const scene::GoniometricLight& light, const scene::Color& power, World& world, Textures& textures, Colors& colors,
                     kernel::EmitterRecord& record);
-void compile_thrown(const scene::IesLight& light, const scene::Color& power, World& world, Colors& colors, kernel::EmitterRecord& record);
+
+// What lamps with the same photometric file share.
+struct PhotometricTables {
+    int profile = 0;  // see kernel::EmitterRecord
+    int first_share = 0;
+    int share_count = 0;
+    int columns = 0;
+    float cos_outer = 0.0f;
+    double mean = 0.0;  // of its intensities, candela, over the solid angle that it lights
+};
+using Photometries = std::map<const scene::Photometry*, PhotometricTables>;
+
+void compile_thrown(const scene::IesLight& light, const scene::Color& power, World& world, Photometries& known, Colors& colors,
+                    kernel::EmitterRecord& record);
 
 }  // namespace lancer

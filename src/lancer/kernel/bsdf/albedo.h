@@ -2,7 +2,8 @@
 // by smooth lobes [Kulla and Conty 2017].
 //
 // The table (world.albedo, made by world/generator/make_albedo_table.cpp) has nodes at even steps of the root of the cosine, of the root of
-// the roughness alpha, and of the root of (eta - 1) / (eta + 1). Its parts, each for GGX and then for Beckmann, and both again for facets that hide one
+// the roughness alpha, and of the root of (eta - 1) / (eta + 1). From the denser side of a border they crowd about the critical angle instead, where
+// light that goes through leaves along the border and is lost: see place_within(). Its parts, each for GGX and then for Beckmann, and both again for facets that hide one
 // another towards either direction by itself:
 //   mirror   1 - albedo of facets that reflect everything
 //   coat     albedo of what a clear border reflects, seen from outside
@@ -16,7 +17,7 @@
 
 NAMESPACE_BEGIN
 
-const int ALBEDO_COSINES = 32;
+const int ALBEDO_COSINES = 33;  // odd: one at the critical angle
 const int ALBEDO_ROUGHNESSES = 32;
 const int ALBEDO_INDICES = 32;
 const float ALBEDO_LARGEST_RATIO = 0.5f;  // (eta - 1) / (eta + 1) of eta = 3
@@ -47,11 +48,11 @@ const int MIRROR_COSINES = 12;
 const int MIRROR_TURNS = 9;
 const int STRETCHED_MIRROR_MEANS = STRETCHED_MIRRORS + 2 * MIRROR_ROUGHNESSES * MIRROR_RATIOS * MIRROR_COSINES * MIRROR_TURNS;
 const int STRETCHED_BORDERS = STRETCHED_MIRROR_MEANS + 2 * MIRROR_ROUGHNESSES * MIRROR_RATIOS;
-const int BORDER_INDICES = 10;
-const int BORDER_ROUGHNESSES = 8;
-const int BORDER_RATIOS = 5;
-const int BORDER_COSINES = 10;
-const int BORDER_TURNS = 7;
+const int BORDER_INDICES = 12;
+const int BORDER_ROUGHNESSES = 12;
+const int BORDER_RATIOS = 6;
+const int BORDER_COSINES = 15;
+const int BORDER_TURNS = 9;
 const int BORDER_SHEETS = 4 * BORDER_INDICES;  // by distribution, then by side
 const int STRETCHED_BORDER_MEANS = STRETCHED_BORDERS + BORDER_SHEETS * BORDER_ROUGHNESSES * BORDER_RATIOS * BORDER_COSINES * BORDER_TURNS;
 const int ALBEDO_VALUES = STRETCHED_BORDER_MEANS + BORDER_SHEETS * BORDER_ROUGHNESSES * BORDER_RATIOS;
@@ -67,6 +68,23 @@ FN TablePlace place_in_table(Float x, int count) {
     place.entry = to_int(min(at, Float(float(count) - 1.5f)));
     place.part = at - to_float(place.entry);
     return place;
+}
+
+// Of the cosine of the critical angle, on the side from which the relative index is eta; 0 where light goes through at all angles.
+FN Float critical_cosine(Float eta) { return sqrt(max(Float(1.0f) - eta * eta, Float(0.0f))); }
+
+// Where a cosine stands from 0 to 1 on the denser side: dense at 0, and on both sides of the critical angle, which is half way.
+FN Float place_within(Float cosine, Float critical) {
+    Float u = clamp01(cosine / max(critical, Float(SMALLEST)));
+    Float low = sqrt(Float(0.125f) * u);
+    Float high = Float(0.5f) - sqrt(Float(0.125f) * (Float(1.0f) - u));
+    Float below = select(u < Float(0.5f), low, high);
+    Float above = max(cosine - critical, Float(0.0f)) / max(Float(1.0f) - critical, Float(SMALLEST));
+    return select(cosine < critical, below, Float(0.5f) + Float(0.5f) * sqrt(above));
+}
+
+FN Float place_of_cosine(Float cosine, Float critical) {
+    return select(critical > Float(0.0f), place_within(cosine, critical), sqrt(max(cosine, Float(0.0f))));
 }
 
 FN Float between(Float a, Float b, Float part) { return a + (b - a) * part; }
@@ -90,6 +108,7 @@ struct AlbedoPlace {
     Int sheet;
     Float part;
     TablePlace rough;
+    Float critical;  // cosine
 };
 
 FN Int distribution_of(IN(Facets) f) { return select(f.beckmann, Int(1), Int(0)) + select(f.separate, Int(2), Int(0)); }
@@ -105,6 +124,7 @@ FN AlbedoPlace coat_place(Float eta, Float roughness, IN(Facets) f) {
     place.sheet = Int(ALBEDO_COAT) + distribution_of(f) * Int(ALBEDO_INDICES) + index.entry;
     place.part = index.part;
     place.rough = place_in_table(sqrt(max(roughness, Float(0.0f))), ALBEDO_ROUGHNESSES);
+    place.critical = Float(0.0f);
     return place;
 }
 
@@ -115,11 +135,12 @@ FN AlbedoPlace border_place(Float eta, Float roughness, IN(Facets) f) {
     place.sheet = Int(ALBEDO_BORDER) + (distribution_of(f) * Int(2) + side) * Int(ALBEDO_INDICES) + index.entry;
     place.part = index.part;
     place.rough = place_in_table(sqrt(max(roughness, Float(0.0f))), ALBEDO_ROUGHNESSES);
+    place.critical = critical_cosine(eta);
     return place;
 }
 
 FN Float albedo_at(IN(WorldRecord) world, IN(AlbedoPlace) place, Float cosine, Mask mask) {
-    TablePlace at = place_in_table(sqrt(max(cosine, Float(0.0f))), ALBEDO_COSINES);
+    TablePlace at = place_in_table(place_of_cosine(cosine, place.critical), ALBEDO_COSINES);
     Float low = albedo_of_sheet(world, place.sheet, place.rough, at, mask);
     Float high = albedo_of_sheet(world, place.sheet + Int(1), place.rough, at, mask);
     return between(low, high, place.part);
@@ -133,13 +154,15 @@ FN Float mean_albedo(IN(WorldRecord) world, IN(AlbedoPlace) place, Mask mask) {
 
 FN Float mean_square_roughness(IN(Facets) f) { return Float(0.5f) * (f.x * f.x + f.y * f.y); }
 
-// Facets that are stretched lose about as much as round ones of their root mean square roughness do, seen from where these hide one another as
-// much; stretched.h knows the difference.
-FN Float cosine_of_round_facets(IN(Facets) f, Vec3 w) {
+// Facets that are stretched lose about as much as round ones do that are seen from where these hide one another as much; stretched.h knows the
+// difference. `square`: of the round ones' roughness.
+FN Float cosine_of_facets(IN(Facets) f, Float square, Vec3 w) {
     Float z_2 = w.z * w.z;
-    Float tilt = (f.x * f.x * w.x * w.x + f.y * f.y * w.y * w.y) / mean_square_roughness(f);
+    Float tilt = (f.x * f.x * w.x * w.x + f.y * f.y * w.y * w.y) / max(square, Float(SMALLEST));
     return sqrt(z_2 / max(z_2 + tilt, Float(SMALLEST)));
 }
+
+FN Float cosine_of_round_facets(IN(Facets) f, Vec3 w) { return cosine_of_facets(f, mean_square_roughness(f), w); }
 
 NAMESPACE_END
 

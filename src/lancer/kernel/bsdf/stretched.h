@@ -1,7 +1,7 @@
 // Stretched facets: by how much they lose more light in one meeting than the round ones of albedo.h by which they are looked up.
 //
 // These parts of the table (made by world/generator/make_albedo_table.cpp) have nodes at even steps of the root of the root mean square roughness, of
-// the logarithm of the ratio of the two roughnesses, of the root of the cosine, and of the direction's turn from the rougher axis. Ratios beyond 10
+// the logarithm of the ratio of the two roughnesses, of the direction's turn from the rougher axis, and of cosines as in albedo.h. Ratios beyond 10
 // are taken for 10. Facets that hide one another towards either direction by itself have no such parts: they are looked up as round ones.
 #ifndef LANCER_KERNEL_BSDF_STRETCHED_H
 #define LANCER_KERNEL_BSDF_STRETCHED_H
@@ -33,12 +33,12 @@ FN StretchedShape stretched_shape(IN(Facets) f, IN(StretchedGrid) grid, Mask mas
     return shape;
 }
 
-FN StretchedView stretched_view(IN(Facets) f, Vec3 w, IN(StretchedGrid) grid) {
+FN StretchedView stretched_view(IN(Facets) f, Vec3 w, Float critical, IN(StretchedGrid) grid) {
     Float x = abs(w.x);
     Float y = abs(w.y);
     Float across = select(f.x < f.y, x, y);
     StretchedView view;
-    view.cosine = place_in_table(sqrt(abs(w.z)), grid.cosines);
+    view.cosine = place_in_table(place_of_cosine(abs(w.z), critical), grid.cosines);
     view.turn = place_in_table(across / max(x + y, Float(SMALLEST)), grid.turns);
     return view;
 }
@@ -95,7 +95,8 @@ FN Float facet_loss(IN(WorldRecord) world, IN(Facets) f, Vec3 w, Mask mask) {
     StretchedGrid grid = stretched_mirrors();
     StretchedShape shape = stretched_shape(f, grid, mask);
     if (some(shape.stretched)) {
-        loss = max(loss + stretched_loss(world, grid, distribution_of_stretched(f), shape, stretched_view(f, w, grid)), Float(0.0f));
+        loss = max(loss + stretched_loss(world, grid, distribution_of_stretched(f), shape, stretched_view(f, w, Float(0.0f), grid)),
+                   Float(0.0f));
     }
     return select(f.once, Float(0.0f), loss);
 }
@@ -137,13 +138,17 @@ FN Int stretched_sheet(IN(TablePlace) index, Float eta, IN(Facets) f) {
 
 // What a border loses of light along w, on the side from which its relative index is eta; below, its mean over directions.
 FN Float border_lost(IN(WorldRecord) world, IN(Facets) f, Float eta, Vec3 w, Mask mask) {
-    Float loss = albedo_at(world, border_place(eta, sqrt(mean_square_roughness(f)), f), cosine_of_round_facets(f, w), mask);
+    // From the denser side the critical angle counts: towards the horizon round facets are taken that are as rough as these are along w.
+    Float along = f.x * f.x * w.x * w.x + f.y * f.y * w.y * w.y;
+    Float square = mean_square_roughness(f);
+    square = select(eta < Float(1.0f), square * w.z * w.z + along, square);
+    Float loss = albedo_at(world, border_place(eta, sqrt(square), f), cosine_of_facets(f, square, w), mask);
     StretchedGrid grid = stretched_borders();
     StretchedShape shape = stretched_shape(f, grid, mask);
     if (some(shape.stretched)) {
         TablePlace index = stretched_index(eta);
         Int sheet = stretched_sheet(index, eta, f);
-        StretchedView view = stretched_view(f, w, grid);
+        StretchedView view = stretched_view(f, w, critical_cosine(eta), grid);
         Float more =
             between(stretched_loss(world, grid, sheet, shape, view), stretched_loss(world, grid, sheet + Int(1), shape, view), index.part);
         loss = max(loss + more, Float(0.0f));

@@ -9,32 +9,62 @@
 #include <utility>
 #include <vector>
 
-#include "lancer/kernel/bsdf/fresnel.h"
 #include "lancer/kernel/bsdf/sheen.h"
-#include "lancer/kernel/bsdf/stretched.h"
+#include "lancer/world/generator/facet_meetings.h"
 
+namespace lancer {
 namespace {
 
-using namespace lancer::kernel_double;
+using namespace kernel_double;
 
-// So many facets in each of the two ways, half of them around: both halves are alike.
-constexpr int fineness = 64;
-constexpr int halfway = fineness / 2;
+// A relative index of refraction above 1, node i of so many.
+double index_of(int i, int count) {
+    const double root = static_cast<double>(i) / (count - 1);
+    const double ratio = static_cast<double>(ALBEDO_LARGEST_RATIO) * root * root;
+    return (1.0 + ratio) / (1.0 - ratio);
+}
+
+// What the kernel's place_of_cosine() turns round.
+double cosine_at(double place, double critical) {
+    if (critical == 0.0) {
+        return place * place;
+    }
+    const double low = 8.0 * place * place, high = 1.0 - 8.0 * (0.5 - place) * (0.5 - place), above = 2.0 * place - 1.0;
+    return place >= 0.5 ? critical + (1.0 - critical) * above * above : critical * (place < 0.25 ? low : high);
+}
+double slope_of_cosine_at(double place, double critical) {
+    if (critical == 0.0) {
+        return 2.0 * place;
+    }
+    return place >= 0.5 ? 4.0 * (1.0 - critical) * (2.0 * place - 1.0) : 16.0 * critical * (place < 0.25 ? place : 0.5 - place);
+}
+
+// A direction of that cosine, on the way of the vector (x, y).
+Vec3 direction_of(double cosine, double x, double y) {
+    const double mu = std::fmax(cosine, 1e-4), sine = std::sqrt(1.0 - mu * mu) / std::sqrt(x * x + y * y);
+    return vec3_of(sine * x, sine * y, mu);
+}
 
 class AlbedoTable {
 public:
     AlbedoTable() : values_(static_cast<std::size_t>(ALBEDO_VALUES)) {}
 
     void make() {
-        for (int rough = 0; rough < ALBEDO_ROUGHNESSES; ++rough) {
-            for (int cosine = 0; cosine < ALBEDO_COSINES; ++cosine) {
-                const double t = static_cast<double>(cosine) / (ALBEDO_COSINES - 1);
-                const double mu = cosine == 0 ? 1e-4 : t * t;
-                for (int distribution = 0; distribution < ALBEDO_DISTRIBUTIONS; ++distribution) {
-                    add_facets(distribution, rough, cosine, mu);
+        std::vector<std::thread> threads;
+        for (int distribution = 0; distribution < ALBEDO_DISTRIBUTIONS; ++distribution) {
+            threads.emplace_back([this, distribution] {
+                for (int i = 0; i < ALBEDO_SHEET; ++i) {
+                    add_facets(distribution, i / ALBEDO_COSINES, i % ALBEDO_COSINES);
                 }
-                value(ALBEDO_SHEEN, rough, cosine) = sheen(static_cast<double>(rough) / (ALBEDO_ROUGHNESSES - 1), mu);
-            }
+            });
+        }
+        for (std::thread& thread : threads) {
+            thread.join();
+        }
+        for (int i = 0; i < ALBEDO_SHEET; ++i) {
+            const int rough = i / ALBEDO_COSINES, cosine = i % ALBEDO_COSINES;
+            value(ALBEDO_SHEEN, rough, cosine) =
+                sheen(static_cast<double>(rough) / (ALBEDO_ROUGHNESSES - 1), direction_of(cosine_at(place_of(cosine), 0.0), 1.0, 0.0));
         }
         for (int sheet = 0; sheet < ALBEDO_SHEETS; ++sheet) {
             for (int rough = 0; rough < ALBEDO_ROUGHNESSES; ++rough) {
@@ -86,69 +116,35 @@ public:
     }
 
 private:
-    static double index_of(int i) {
-        const double root = static_cast<double>(i) / (ALBEDO_INDICES - 1);
-        const double ratio = static_cast<double>(ALBEDO_LARGEST_RATIO) * root * root;
-        return (1.0 + ratio) / (1.0 - ratio);
-    }
+    static double place_of(int cosine) { return static_cast<double>(cosine) / (ALBEDO_COSINES - 1); }
 
-    void add_facets(int distribution, int rough, int cosine, double mu) {
+    void add_facets(int distribution, int rough, int cosine) {
         const double root = static_cast<double>(rough) / (ALBEDO_ROUGHNESSES - 1);
         Facets f;
         f.x = f.y = rough == 0 ? 1e-6 : root * root;
         f.beckmann = distribution % 2 == 1;
         f.separate = distribution >= 2;
         f.once = false;
-        const Vec3 wo = vec3_of(std::sqrt(1.0 - mu * mu), 0.0, mu);
-        const double lambda = facets_lambda(f, wo);
-
-        double mirror = 0.0;
-        std::vector<double> coat(ALBEDO_INDICES);
-        std::vector<double> border(2 * ALBEDO_INDICES);
-        for (int i = 0; i < fineness * halfway; ++i) {
-            // Denser towards the ends, where slopes have no bound.
-            const double x = (i % fineness + 0.5) / fineness;
-            const double y = (i / fineness + 0.5) / halfway;
-            const double weight = 36.0 * x * (1.0 - x) * y * (1.0 - y) / (fineness * halfway);
-            const Vec2 u = vec2_of(x * x * (3.0 - 2.0 * x), 0.5 * y * y * (3.0 - 2.0 * y));
-            const Vec3 m = rough == 0 ? vec3_of(0.0, 0.0, 1.0) : facets_visible_normal(f, wo, u);
-            const double o = dot(wo, m);
-            if (o <= 0.0) {
-                continue;
-            }
-            const auto seen = [&](const Vec3& wi) { return facets_seen_both(f, wo, wi) * (1.0 + lambda); };
-            const Vec3 mirrored = m * (2.0 * o) - wo;
-            const double reflected = mirrored.z > 0.0 ? (rough == 0 ? 1.0 : seen(mirrored)) : 0.0;
-            mirror += weight * reflected;
-            for (int j = 0; j < ALBEDO_INDICES; ++j) {
-                for (int side = 0; side < 2; ++side) {
-                    const double eta = side == 0 ? index_of(j) : 1.0 / index_of(j);
-                    double cos_t = 0.0;
-                    const double share = j == 0 ? 0.0 : fresnel(o, eta, cos_t);
-                    cos_t = j == 0 ? o : cos_t;
-                    if (side == 0) {
-                        coat[static_cast<std::size_t>(j)] += weight * share * reflected;
-                    }
-                    const Vec3 bent = m * (o / eta - cos_t) - wo / eta;
-                    const double passed = share < 1.0 && bent.z < 0.0 ? (rough == 0 ? 1.0 : seen(bent)) : 0.0;
-                    border[static_cast<std::size_t>(side * ALBEDO_INDICES + j)] += weight * (share * reflected + (1.0 - share) * passed);
-                }
-            }
-        }
-        value(ALBEDO_MIRROR + distribution, rough, cosine) = lost(mirror);
+        std::vector<double> outside{mirror_eta};
         for (int j = 0; j < ALBEDO_INDICES; ++j) {
-            value(ALBEDO_COAT + distribution * ALBEDO_INDICES + j, rough, cosine) = std::fmin(coat[static_cast<std::size_t>(j)], 1.0);
-            for (int side = 0; side < 2; ++side) {
-                value(ALBEDO_BORDER + (distribution * 2 + side) * ALBEDO_INDICES + j, rough, cosine) =
-                    lost(border[static_cast<std::size_t>(side * ALBEDO_INDICES + j)]);
-            }
+            outside.push_back(index_of(j, ALBEDO_INDICES));
+        }
+        const std::vector<Meeting> met = meetings(f, direction_of(cosine_at(place_of(cosine), 0.0), 1.0, 0.0), outside);
+        value(ALBEDO_MIRROR + distribution, rough, cosine) = met[0].lost;
+        for (int j = 0; j < ALBEDO_INDICES; ++j) {
+            const Meeting& border = met[static_cast<std::size_t>(j) + 1];
+            value(ALBEDO_COAT + distribution * ALBEDO_INDICES + j, rough, cosine) = border.reflected;
+            value(ALBEDO_BORDER + distribution * 2 * ALBEDO_INDICES + j, rough, cosine) = border.lost;
+            const double within = 1.0 / outside[static_cast<std::size_t>(j) + 1];
+            const Vec3 wo = direction_of(cosine_at(place_of(cosine), critical_cosine_within(j)), 1.0, 0.0);
+            value(ALBEDO_BORDER + (distribution * 2 + 1) * ALBEDO_INDICES + j, rough, cosine) = meetings(f, wo, {within})[0].lost;
         }
     }
 
-    static double lost(double albedo) { return std::fmax(1.0 - albedo, 0.0); }
+    // Node j's, on the denser side. Where there is none the kernel asks beyond node 0, from a side that is hardly denser.
+    static double critical_cosine_within(int j) { return std::fmax(critical_cosine(1.0 / index_of(j, ALBEDO_INDICES)), 1e-6); }
 
-    static double sheen(double roughness, double mu) {
-        const Vec3 wo = vec3_of(std::sqrt(1.0 - mu * mu), 0.0, mu);
+    static double sheen(double roughness, const Vec3& wo) {
         constexpr int fine = 64;
         double sum = 0.0;
         for (int i = 0; i < fine; ++i) {
@@ -164,8 +160,11 @@ private:
         return sum * 2.0 * 3.14159265358979323846 / (fine * fine);
     }
 
-    // 2 integral of albedo cos d cos, of what the kernel interpolates: straight lines over t, the root of the cosine; exact by Gauss's rule.
+    // 2 integral of albedo cos d cos, of what the kernel interpolates: straight lines over the place of the cosine; exact by Gauss's rule.
     double mean(int sheet, int rough) {
+        const int border = sheet - ALBEDO_BORDER, side = border / ALBEDO_INDICES;
+        const bool within = border >= 0 && sheet < ALBEDO_SHEEN && side % 2 == 1;
+        const double critical = within ? critical_cosine_within(border % ALBEDO_INDICES) : 0.0;
         double sum = 0.0;
         const double step = 1.0 / (ALBEDO_COSINES - 1);
         for (int i = 0; i + 1 < ALBEDO_COSINES; ++i) {
@@ -173,7 +172,8 @@ private:
             const double b = value(sheet, rough, i + 1);
             for (const double part : {0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15)}) {
                 const double t = (i + part) * step;
-                sum += (part == 0.5 ? 4.0 / 9.0 : 5.0 / 18.0) * step * 4.0 * t * t * t * (a + (b - a) * part);
+                const double weight = (part == 0.5 ? 4.0 / 9.0 : 5.0 / 18.0) * step;
+                sum += weight * 2.0 * cosine_at(t, critical) * slope_of_cosine_at(t, critical) * (a + (b - a) * part);
             }
         }
         return sum;
@@ -188,14 +188,12 @@ private:
     };
     static std::vector<Side> sides_of(const StretchedGrid& grid, bool beckmann) {
         if (grid.first == STRETCHED_MIRRORS) {
-            return {{beckmann ? 1 : 0, 0.0}};
+            return {{beckmann ? 1 : 0, mirror_eta}};
         }
         std::vector<Side> sides;
         for (int side = 0; side < 2; ++side) {
             for (int i = 0; i < BORDER_INDICES; ++i) {
-                const double root = std::fmax(static_cast<double>(i) / (BORDER_INDICES - 1), 1e-3);
-                const double ratio = static_cast<double>(ALBEDO_LARGEST_RATIO) * root * root;
-                const double eta = (1.0 + ratio) / (1.0 - ratio);
+                const double eta = std::fmax(index_of(i, BORDER_INDICES), 1.0 + 1e-6);
                 sides.push_back({((beckmann ? 2 : 0) + side) * BORDER_INDICES + i, side == 0 ? eta : 1.0 / eta});
             }
         }
@@ -203,33 +201,46 @@ private:
     }
 
     static double looked_up(const WorldRecord& world, const Facets& f, double eta, const Vec3& w) {
-        return eta == 0.0 ? facet_loss(world, f, w, true) : border_lost(world, f, eta, w, true);
+        return eta == mirror_eta ? facet_loss(world, f, w, true) : border_lost(world, f, eta, w, true);
     }
 
     // What stretched facets lose beyond what is looked up for round ones.
     void add_stretched(const WorldRecord& world, const StretchedGrid& grid, bool beckmann) {
-        const std::vector<Side> sides = sides_of(grid, beckmann);
-        const int of_sheet = grid.roughnesses * grid.ratios * grid.cosines * grid.turns;
+        std::vector<Side> outside, within;
+        for (const Side& side : sides_of(grid, beckmann)) {
+            (side.eta == mirror_eta || side.eta > 1.0 ? outside : within).push_back(side);
+        }
         for (int rough = 1; rough < grid.roughnesses; ++rough) {
             for (int ratio = 1; ratio < grid.ratios; ++ratio) {
                 const Facets f = stretched(rough, ratio, grid, beckmann);
-                for (int cosine = 0; cosine < grid.cosines; ++cosine) {
-                    for (int turn = 0; turn < grid.turns; ++turn) {
-                        const double t = static_cast<double>(cosine) / (grid.cosines - 1);
-                        const double mu = std::fmax(t * t, 1e-4);
-                        const double y = static_cast<double>(turn) / (grid.turns - 1), x = 1.0 - y;
-                        const double sine = std::sqrt(1.0 - mu * mu) / std::sqrt(x * x + y * y);
-                        const Vec3 w = vec3_of(sine * x, sine * y, mu);
-                        const std::vector<double> losses = losses_of(f, w, sides);
-                        const int place = ((rough * grid.ratios + ratio) * grid.cosines + cosine) * grid.turns + turn;
-                        for (std::size_t i = 0; i < sides.size(); ++i) {
-                            // The parts for stretched facets are still 0 in what is looked up.
-                            values_[static_cast<std::size_t>(grid.first + sides[i].sheet * of_sheet + place)] =
-                                losses[i] - looked_up(world, f, sides[i].eta, w);
-                        }
+                for (int view = 0; view < grid.cosines * grid.turns; ++view) {
+                    const int place = (rough * grid.ratios + ratio) * grid.cosines * grid.turns + view;
+                    add_stretched(world, grid, f, view, place, outside);
+                    for (const Side& side : within) {
+                        add_stretched(world, grid, f, view, place, {side});
                     }
                 }
             }
+        }
+    }
+
+    // At one place of the sheets of these sides, which are seen under the same angle.
+    void add_stretched(const WorldRecord& world, const StretchedGrid& grid, const Facets& f, int view, int place,
+                       const std::vector<Side>& sides) {
+        const double eta = sides.front().eta;
+        const double critical = eta == mirror_eta ? 0.0 : critical_cosine(eta);
+        const double y = static_cast<double>(view % grid.turns) / (grid.turns - 1);
+        const Vec3 w = direction_of(cosine_at(static_cast<double>(view / grid.turns) / (grid.cosines - 1), critical), 1.0 - y, y);
+        std::vector<double> etas;
+        for (const Side& side : sides) {
+            etas.push_back(side.eta);
+        }
+        const std::vector<Meeting> met = meetings(f, w, etas);
+        const int of_sheet = grid.roughnesses * grid.ratios * grid.cosines * grid.turns;
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            // The parts for stretched facets are still 0 in what is looked up.
+            values_[static_cast<std::size_t>(grid.first + sides[i].sheet * of_sheet + place)] =
+                met[i].lost - looked_up(world, f, sides[i].eta, w);
         }
     }
 
@@ -259,46 +270,17 @@ private:
         return f;
     }
 
-    static std::vector<double> losses_of(const Facets& f, const Vec3& wo, const std::vector<Side>& sides) {
-        constexpr int fine = 32;
-        const double lambda = facets_lambda(f, wo);
-        const auto seen = [&](const Vec3& wi) { return (1.0 + lambda) / (1.0 + lambda + facets_lambda(f, wi)); };
-        std::vector<double> losses(sides.size(), 1.0);
-        for (int i = 0; i < fine * fine; ++i) {
-            // Denser towards the ends, where slopes have no bound; GGX's normals go round with the second number.
-            const double x = (i % fine + 0.5) / fine;
-            const double y = (i / fine + 0.5) / fine;
-            const double weight = 6.0 * x * (1.0 - x) * (f.beckmann ? 6.0 * y * (1.0 - y) : 1.0) / (fine * fine);
-            const Vec3 m = facets_visible_normal(f, wo, vec2_of(x * x * (3.0 - 2.0 * x), f.beckmann ? y * y * (3.0 - 2.0 * y) : y));
-            const double o = dot(wo, m);
-            if (o <= 0.0) {
-                continue;
-            }
-            const Vec3 mirrored = m * (2.0 * o) - wo;
-            const double reflected = mirrored.z > 0.0 ? seen(mirrored) : 0.0;
-            for (std::size_t k = 0; k < sides.size(); ++k) {
-                double cos_t = 0.0;
-                const double share = sides[k].eta == 0.0 ? 1.0 : fresnel(o, sides[k].eta, cos_t);
-                double passed = 0.0;
-                if (share < 1.0) {
-                    const Vec3 bent = m * (o / sides[k].eta - cos_t) - wo / sides[k].eta;
-                    passed = bent.z < 0.0 ? seen(bent) : 0.0;
-                }
-                losses[k] -= weight * (share * reflected + (1.0 - share) * passed);
-            }
-        }
-        return losses;
-    }
-
     // Over directions, by their cosine, of what the kernel looks up.
     static double mean_looked_up(const WorldRecord& world, const Facets& f, double eta) {
-        constexpr int cosines = 48, turns = 24;
+        constexpr int cosines = 96, turns = 24;
+        const double critical = eta == mirror_eta ? 0.0 : critical_cosine(eta);
         double sum = 0.0;
         for (int i = 0; i < cosines * turns; ++i) {
-            const double t = (i / turns + 0.5) / cosines;  // the root of the cosine
+            const double t = (i / turns + 0.5) / cosines;
             const double angle = 0.5 * 3.14159265358979323846 * (i % turns + 0.5) / turns;
-            const double z = t * t, sine = std::sqrt(1.0 - z * z);
-            sum += looked_up(world, f, eta, vec3_of(sine * std::cos(angle), sine * std::sin(angle), z)) * 4.0 * t * t * t;
+            const double cosine = cosine_at(t, critical);
+            const Vec3 w = direction_of(cosine, std::cos(angle), std::sin(angle));
+            sum += looked_up(world, f, eta, w) * 2.0 * cosine * slope_of_cosine_at(t, critical);
         }
         return sum / (cosines * turns);
     }
@@ -311,13 +293,14 @@ private:
 };
 
 }  // namespace
+}  // namespace lancer
 
 int main(int argc, char** argv) {
     if (argc != 2) {
         std::fprintf(stderr, "usage: %s FILE\n", argv[0]);
         return 2;
     }
-    AlbedoTable table;
+    lancer::AlbedoTable table;
     table.make();
     table.make_stretched();
     if (!table.is_right()) {
