@@ -17,7 +17,7 @@
 
 NAMESPACE_BEGIN
 
-const int ALBEDO_COSINES = 33;  // odd: one at the critical angle
+const int ALBEDO_COSINES = 41;  // so that HALF_CRITICAL_PLACE and CRITICAL_PLACE are nodes
 const int ALBEDO_ROUGHNESSES = 32;
 const int ALBEDO_INDICES = 32;
 const float ALBEDO_LARGEST_RATIO = 0.5f;  // (eta - 1) / (eta + 1) of eta = 3
@@ -51,7 +51,7 @@ const int STRETCHED_BORDERS = STRETCHED_MIRROR_MEANS + 2 * MIRROR_ROUGHNESSES * 
 const int BORDER_INDICES = 12;
 const int BORDER_ROUGHNESSES = 12;
 const int BORDER_RATIOS = 6;
-const int BORDER_COSINES = 15;
+const int BORDER_COSINES = 16;
 const int BORDER_TURNS = 9;
 const int BORDER_SHEETS = 4 * BORDER_INDICES;  // by distribution, then by side
 const int STRETCHED_BORDER_MEANS = STRETCHED_BORDERS + BORDER_SHEETS * BORDER_ROUGHNESSES * BORDER_RATIOS * BORDER_COSINES * BORDER_TURNS;
@@ -73,14 +73,16 @@ FN TablePlace place_in_table(Float x, int count) {
 // Of the cosine of the critical angle, on the side from which the relative index is eta; 0 where light goes through at all angles.
 FN Float critical_cosine(Float eta) { return sqrt(max(Float(1.0f) - eta * eta, Float(0.0f))); }
 
-// Where a cosine stands from 0 to 1 on the denser side: dense at 0, and on both sides of the critical angle, which is half way.
+// Where a cosine stands from 0 to 1 on the denser side: dense at 0, and on both sides of the critical angle, which is at CRITICAL_PLACE.
+const float HALF_CRITICAL_PLACE = 0.4f;  // of half its cosine
+const float CRITICAL_PLACE = 0.6f;
 FN Float place_within(Float cosine, Float critical) {
-    Float u = clamp01(cosine / max(critical, Float(SMALLEST)));
-    Float low = sqrt(Float(0.125f) * u);
-    Float high = Float(0.5f) - sqrt(Float(0.125f) * (Float(1.0f) - u));
-    Float below = select(u < Float(0.5f), low, high);
+    Float u = Float(2.0f) * clamp01(cosine / max(critical, Float(SMALLEST)));
+    Float low = Float(HALF_CRITICAL_PLACE) * sqrt(u);
+    Float high = Float(CRITICAL_PLACE) - Float(CRITICAL_PLACE - HALF_CRITICAL_PLACE) * sqrt(max(Float(2.0f) - u, Float(0.0f)));
     Float above = max(cosine - critical, Float(0.0f)) / max(Float(1.0f) - critical, Float(SMALLEST));
-    return select(cosine < critical, below, Float(0.5f) + Float(0.5f) * sqrt(above));
+    above = Float(CRITICAL_PLACE) + Float(1.0f - CRITICAL_PLACE) * sqrt(above);
+    return select(cosine < critical, select(u < Float(1.0f), low, high), above);
 }
 
 FN Float place_of_cosine(Float cosine, Float critical) {

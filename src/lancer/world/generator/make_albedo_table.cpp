@@ -29,14 +29,19 @@ double cosine_at(double place, double critical) {
     if (critical == 0.0) {
         return place * place;
     }
-    const double low = 8.0 * place * place, high = 1.0 - 8.0 * (0.5 - place) * (0.5 - place), above = 2.0 * place - 1.0;
-    return place >= 0.5 ? critical + (1.0 - critical) * above * above : critical * (place < 0.25 ? low : high);
+    const double half = static_cast<double>(HALF_CRITICAL_PLACE), whole = static_cast<double>(CRITICAL_PLACE);
+    const double low = place / half, high = (whole - place) / (whole - half), above = (place - whole) / (1.0 - whole);
+    return place >= whole ? critical + (1.0 - critical) * above * above
+                          : critical * (place < half ? 0.5 * low * low : 1.0 - 0.5 * high * high);
 }
 double slope_of_cosine_at(double place, double critical) {
     if (critical == 0.0) {
         return 2.0 * place;
     }
-    return place >= 0.5 ? 4.0 * (1.0 - critical) * (2.0 * place - 1.0) : 16.0 * critical * (place < 0.25 ? place : 0.5 - place);
+    const double half = static_cast<double>(HALF_CRITICAL_PLACE), whole = static_cast<double>(CRITICAL_PLACE);
+    const double low = place / (half * half), high = (whole - place) / ((whole - half) * (whole - half));
+    return place >= whole ? 2.0 * (1.0 - critical) * (place - whole) / ((1.0 - whole) * (1.0 - whole))
+                          : critical * (place < half ? low : high);
 }
 
 // A direction of that cosine, on the way of the vector (x, y).
