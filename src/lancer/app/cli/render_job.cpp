@@ -15,6 +15,7 @@
 #include "lancer/app/cli/import_arguments.h"
 #include "lancer/app/cli/interrupt.h"
 #include "lancer/app/cli/outputs.h"
+#include "lancer/app/cli/previews.h"
 #include "lancer/app/cli/progress.h"
 #include "lancer/app/cli/render_report.h"
 #include "lancer/app/exit_status.h"
@@ -148,10 +149,15 @@ public:
             const CheckpointTimes times = job_.checkpoint ? CheckpointTimes{*job_.checkpoint, *job_.checkpoint} : CheckpointTimes{};
             checkpoints.emplace(begun_ ? begun_->output : outputs_.first, about, state, times);
         }
+        std::optional<Previews> previews;
+        if (job_.preview) {
+            previews.emplace(*job_.preview, state, *prepared_);
+        }
         const ProgressStyle style = choose_progress(job_.progress, job_.quiet);
         RenderProgressPrinter printer(style, job_.files.front());
         const RenderStatistics done = render(*prepared_->device, prepared_->options, state, &printer, &interrupted);
         printer.clear();
+        previews.reset();
         times_.render = done.seconds;
         report_bad_samples(done.bad_samples, *prepared_->world);
         report_bad_pixels(done);
@@ -178,6 +184,9 @@ private:
         }
         if (job_.stats) {
             check_file(*job_.stats, "--stats", diagnostics);
+        }
+        if (job_.preview) {
+            check_pictures({*job_.preview}, "--preview", diagnostics);
         }
         const auto load_start = Clock::now();
         ImportReport report;

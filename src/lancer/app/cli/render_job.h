@@ -29,6 +29,7 @@ struct RenderJob {
     std::optional<std::string> progress;
     std::optional<Shard> shard;
     std::optional<double> checkpoint;  // seconds; 0: none
+    std::optional<std::string> preview;
     bool quiet = false;
     RenderArguments render;
 };
