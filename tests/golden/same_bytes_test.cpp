@@ -81,7 +81,7 @@ protected:
 TEST_P(SameBytes, ForAnyNumberOfThreads) {
     const std::unique_ptr<Device> device = this->device();
     const Film one = film_of(*device, options_);
-    for (const int threads : {2, 3, 16}) {
+    for (const int threads : {2, 3, 7, 16}) {
         options_.threads = threads;
         EXPECT_TRUE(same_bytes(one, film_of(*device, options_))) << threads << " threads";
     }

@@ -81,6 +81,11 @@ protected:
         options_.spp = GetParam().spp;
         options_.adaptive = GetParam().adaptive;
         options_.threads = 2;
+        if (GetParam().layers.replicates > 0) {
+            options_.replicates = GetParam().layers.replicates;
+            options_.error = 0.3;
+            options_.error_floor = find_error_floor(*device_, options_);
+        }
         file_ = (std::filesystem::temp_directory_path() / ("lancer-shards-" + std::to_string(::getpid()) + GetParam().name)).string();
     }
     void TearDown() override {
@@ -128,17 +133,18 @@ TEST_P(Shared, AnySplitMergedIsTheWhole) {
 
 TEST_P(Shared, StoppedAndResumedIsTheWhole) {
     const std::string whole = uninterrupted();
+    const int more = GetParam().layers.replicates > 0 ? 17 : 3;  // tiles each time: not too many times
     Whole film = fresh();
     bool finished = false;
     int stops = 0;
-    for (int tiles = 1; !finished; tiles += 3, ++stops) {
+    for (int tiles = 1; !finished; tiles += more, ++stops) {
         After after(tiles);
         finished = render(*device_, options_, *film.state, &after, &after.cancel).finished;
         Whole next = fresh();
         through_file(film, next);
         EXPECT_TRUE(next.bytes() == film.bytes() || !finished);
         film.film = next.film;
-        film.sums = next.sums;
+        film.sums = std::move(next.sums);
         film.state.emplace(film.film, film.sums ? &*film.sums : nullptr, tile_size_for(options_));
         FilmFile(file_).add_to(*film.state);
     }
@@ -146,12 +152,13 @@ TEST_P(Shared, StoppedAndResumedIsTheWhole) {
     EXPECT_TRUE(film.bytes() == whole);
 }
 
-INSTANTIATE_TEST_SUITE_P(Golden, Shared,
-                         testing::Values(Kind{"Whitted", "report/figure-1.toml", false, 0, {}},
-                                         Kind{"WhittedAdaptive", "report/figure-1.toml", true, 0, {}},
-                                         Kind{"Paths", "gallery/cornell-box.toml", false, 19, {}},
-                                         Kind{"PathsWithEverything", "gallery/cornell-box.toml", false, 5, {true, true, true, true, 7}}),
-                         [](const auto& one) { return one.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Golden, Shared,
+    testing::Values(Kind{"Whitted", "report/figure-1.toml", false, 0, {}}, Kind{"WhittedAdaptive", "report/figure-1.toml", true, 0, {}},
+                    Kind{"Paths", "gallery/cornell-box.toml", false, 19, {}},
+                    Kind{"PathsWithEverything", "gallery/cornell-box.toml", false, 5, {true, true, true, true, 7}},
+                    Kind{"PathsWithAGoal", "gallery/cornell-box.toml", false, 192, {false, false, false, false, 0, 16, 5.0}}),
+    [](const auto& one) { return one.param.name; });
 
 TEST(Samples, MoreLaterAreTheSameAsMoreAtOnce) {
     Diagnostics diagnostics;

@@ -28,7 +28,7 @@ void PathTracer::trace(const PathRange& range, RayCounts& counts) {
     device_.trace_paths(range, {radiance_, direct_, first_hits_, spectra_, layers_.splats ? &splats_ : nullptr}, counts);
 }
 
-void PathTracer::put(FilmState& state) {
+void PathTracer::put(FilmState& state, int left, int top) {
     Film& film = state.film();
     FilmSums& sums = *state.sums();
     const PathSamples samples{radiance_, direct_, first_hits_, spectra_, nullptr};
@@ -39,8 +39,8 @@ void PathTracer::put(FilmState& state) {
     std::size_t next = 0;
     for (int y = range_.y0; y < range_.y1; ++y) {
         for (int x = range_.x0; x < range_.x1; ++x) {
-            const std::size_t pixel = film.index(x, y);
-            sums.add(pixel, samples.part(next, count));
+            const std::size_t pixel = film.index(x - left, y - top);
+            sums.add(pixel, samples.part(next, count), range_.first_sample);
             next += count;
             film.radiance[pixel] = sums.mean(pixel);
             film.samples[pixel] = static_cast<std::uint32_t>(range_.first_sample + range_.sample_count);

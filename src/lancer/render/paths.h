@@ -27,8 +27,8 @@ public:
 
     // Follows the paths of a range. What they bring is kept here.
     void trace(const PathRange& range, RayCounts& counts);
-    // Adds what the last range brought to the film. The caller has the tile's lock.
-    void put(FilmState& state);
+    // Adds what the last range brought to the film. The caller has the tile's lock. `left`, `top`: which pixel of the picture the film begins with.
+    void put(FilmState& state, int left = 0, int top = 0);
 
 private:
     const Device& device_;

@@ -1,6 +1,7 @@
 #include "lancer/render/render.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <chrono>
 #include <cmath>
@@ -14,6 +15,7 @@
 #include "lancer/film/display.h"
 #include "lancer/render/adaptive.h"
 #include "lancer/render/paths.h"
+#include "lancer/render/replicated_paths.h"
 #include "lancer/render/threads.h"
 #include "lancer/render/uniform.h"
 
@@ -22,6 +24,11 @@ namespace lancer {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// Whole samples for each replicate.
+int replicated_limit(const RenderOptions& options) {
+    return std::max(error_replicates, (options.spp + error_replicates - 1) / error_replicates * error_replicates);
+}
 
 // One render: the tiles that are left, and what the threads have found so far.
 class Work {
@@ -36,13 +43,15 @@ public:
             const Tile& place = state.tiles()[tile];
             progress_.pixels_total += area(place) * std::max(options.spp, 1);
             progress_.pixels_done += done_before(tile);
+            own_area_ += area(place);
         }
+        expected_.assign(state.tiles().size(), 0.0);
         done_at_start_ = progress_.pixels_done;
     }
 
     // Round after round, each on all threads, until no tile is left.
     void run(int threads) {
-        while (!left_.empty() && !is_cancelled(cancel_)) {
+        while (!left_.empty() && !stops()) {
             next_ = 0;
             unfinished_.assign(left_.size(), 1);
             run_on_threads(threads, [&] { take_tiles(); });
@@ -53,6 +62,9 @@ public:
                 }
             }
             left_.resize(kept);
+            if (options_.error > 0.0 && observer_ != nullptr) {
+                progress_.error = report_errors(goal(), state_).reached;
+            }
         }
         const FilmSums* sums = state_.sums();
         if (sums != nullptr && sums->splats() != nullptr) {
@@ -68,7 +80,10 @@ public:
         result.rays = counts_;
         result.samples = progress_.samples_done;
         result.seconds = seconds();
-        result.finished = left_.empty();
+        result.out_of_time = !left_.empty() && is_out_of_time();
+        result.finished = left_.empty() || (result.out_of_time && !is_cancelled(cancel_));
+        result.error = report_errors(goal(), state_);
+        result.clamped = clamped_share();
         result.bad_samples = BadSamples(device_, state_);
         const Film& film = state_.film();
         for (int y = 0; y < film.height; ++y) {
@@ -84,6 +99,22 @@ public:
     }
 
 private:
+    ErrorGoal goal() const { return {options_.error, options_.confidence, options_.error_floor}; }
+
+    bool is_out_of_time() const { return options_.seconds > 0.0 && seconds() >= options_.seconds; }
+    bool stops() const { return is_cancelled(cancel_) || is_out_of_time(); }
+
+    double clamped_share() const {
+        double removed = 0.0, kept = 0.0;
+        for (std::size_t pixel = 0; options_.spp > 0 && pixel < state_.film().radiance.size(); ++pixel) {
+            removed += state_.sums()->clamped(pixel);
+            const glm::vec3 light = state_.sums()->mean(pixel);
+            kept += 0.2126729 * static_cast<double>(light.x) + 0.7151522 * static_cast<double>(light.y) +
+                    0.0721750 * static_cast<double>(light.z);
+        }
+        return removed > 0.0 ? removed / (removed + kept) : 0.0;
+    }
+
     static std::int64_t area(const Tile& tile) { return static_cast<std::int64_t>(tile.width()) * tile.height(); }
 
     std::vector<std::size_t> own_tiles() const {
@@ -116,7 +147,7 @@ private:
     void take_tiles() {
         RayCounts counts;
         const std::unique_ptr<TileSampler> sampler = make_sampler();
-        while (!is_cancelled(cancel_)) {
+        while (!stops()) {
             const std::size_t next = next_.fetch_add(1, std::memory_order_relaxed);
             if (next >= left_.size()) {
                 break;
@@ -128,7 +159,7 @@ private:
             }
             unfinished_[next] = outcome == RoundOutcome::unfinished ? 1 : 0;
             if (counts.camera > samples_before) {
-                tell(state_.tiles()[left_[next]], counts.camera - samples_before);
+                tell(left_[next], counts.camera - samples_before, sampler->expected_samples());
             }
         }
         const std::scoped_lock lock(mutex_);
@@ -136,6 +167,9 @@ private:
     }
 
     std::unique_ptr<TileSampler> make_sampler() {
+        if (options_.replicates > 0) {
+            return std::make_unique<ReplicatedPathSampler>(device_, state_, goal(), replicated_limit(options_));
+        }
         if (options_.spp > 0) {
             return std::make_unique<PathSampler>(device_, state_, options_.spp);
         }
@@ -146,16 +180,33 @@ private:
         return std::make_unique<UniformSampler>(device_, *patterns_);
     }
 
-    void tell(const Tile& tile, std::uint64_t samples) {
+    void tell(std::size_t tile, std::uint64_t samples, double expected) {
         const std::scoped_lock lock(mutex_);
-        progress_.pixels_done += options_.spp > 0 ? static_cast<std::int64_t>(samples) : area(tile);
+        progress_.pixels_done += options_.spp > 0 ? static_cast<std::int64_t>(samples) : area(state_.tiles()[tile]);
         progress_.samples_done += samples;
+        if (expected > 0.0) {
+            foresee(tile, expected);
+        }
         if (observer_ != nullptr) {
             progress_.seconds = seconds();
             const double left = static_cast<double>(progress_.pixels_total - progress_.pixels_done);
-            progress_.seconds_left = progress_.seconds * left / static_cast<double>(progress_.pixels_done - done_at_start_);
-            observer_->tile_done(state_.film(), tile, progress_);
+            progress_.seconds_left = std::max(progress_.seconds * left / static_cast<double>(progress_.pixels_done - done_at_start_), 0.0);
+            if (options_.seconds > 0.0 && options_.seconds - progress_.seconds < progress_.seconds_left) {
+                progress_.seconds_left = std::max(options_.seconds - progress_.seconds, 0.0);
+                progress_.pixels_total = std::max(progress_.pixels_done, progress_.pixels_total);
+            }
+            observer_->tile_done(state_.film(), state_.tiles()[tile], progress_);
         }
+    }
+
+    // Tiles that nothing is known of count as the others do on average.
+    void foresee(std::size_t tile, double expected) {
+        const double tile_area = static_cast<double>(area(state_.tiles()[tile]));
+        foreseen_area_ += expected_[tile] > 0.0 ? 0.0 : tile_area;
+        foreseen_ += expected - expected_[tile];
+        expected_[tile] = expected;
+        progress_.pixels_total =
+            std::max(progress_.pixels_done, static_cast<std::int64_t>(foreseen_ / foreseen_area_ * static_cast<double>(own_area_)));
     }
 
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -170,6 +221,10 @@ private:
     std::vector<std::size_t> left_;  // tiles that are not finished, in the order of work
     std::vector<char> unfinished_;   // of these: whether they are left after this round
     std::int64_t done_at_start_ = 0;
+    std::int64_t own_area_ = 0;     // pixels
+    std::vector<double> expected_;  // samples of each tile in the end; 0: not known
+    double foreseen_ = 0.0;         // their sum
+    double foreseen_area_ = 0.0;    // pixels of these tiles
     Clock::time_point start_ = Clock::now();
 
     std::atomic<std::size_t> next_{0};
@@ -200,8 +255,42 @@ std::vector<int> shards_of_tiles(std::size_t tiles, int shards) {
     return owners;
 }
 
+double find_error_floor(const Device& device, const RenderOptions& options) {
+    constexpr int wanted = 4096;  // pixels
+    constexpr int samples = 4;
+    const double pixels = static_cast<double>(options.width) * options.height;
+    const int step = std::max(1, static_cast<int>(std::sqrt(pixels / wanted)));
+    double roots = 0.0;
+    int count = 0;
+    RayCounts ignored;
+    for (int y = step / 2; y < options.height; y += step) {
+        for (int x = step / 2; x < options.width; x += step, ++count) {
+            std::array<glm::vec3, samples> light;
+            device.follow_paths({x, y, x + 1, y + 1, 0, samples}, light, ignored);
+            double sum = 0.0;
+            for (const glm::vec3& c : light) {
+                const double y_of =
+                    0.2126729 * static_cast<double>(c.x) + 0.7151522 * static_cast<double>(c.y) + 0.0721750 * static_cast<double>(c.z);
+                sum += std::isfinite(y_of) ? y_of : 0.0;
+            }
+            roots += std::sqrt(std::max(sum / samples, 0.0));
+        }
+    }
+    const double root = count > 0 ? roots / count : 0.0;
+    return std::max(0.1 * root * root, 1e-30);
+}
+
 bool is_finished(const RenderOptions& options, const FilmState& state, std::size_t tile) {
     const Tile& place = state.tiles()[tile];
+    if (options.replicates > 0) {
+        const int limit = replicated_limit(options);
+        if (options.error > 0.0) {
+            const TileNeeds needs =
+                needs_of({options.error, options.confidence, options.error_floor}, IntervalRule(options.confidence), state, tile, limit);
+            return needs.reached || needs.cells.empty();
+        }
+        return state.film().samples[state.film().index(place.x0, place.y0)] >= static_cast<std::uint32_t>(limit);
+    }
     return options.spp == 0 ? state.rounds(tile) > 0
                             : state.film().samples[state.film().index(place.x0, place.y0)] >= static_cast<std::uint32_t>(options.spp);
 }
@@ -214,6 +303,8 @@ RenderStatistics render(const Device& device, const RenderOptions& options, Film
     assert(options.threads >= 0 && options.threads <= max_threads);
     assert(options.shard >= 1 && options.shard <= options.shards && options.shards <= max_shards);
     assert((state.sums() != nullptr) == (options.spp > 0) && state.tile_size() == tile_size_for(options));
+    assert(options.error == 0.0 || (options.replicates == error_replicates && options.error_floor > 0.0));
+    assert(options.spp == 0 || state.sums()->layers().replicates == options.replicates);
 
     Work work(device, options, state, observer, cancel);
     const int threads = options.threads > 0 ? options.threads : hardware_threads();
@@ -229,6 +320,7 @@ RenderStatistics render(const Device& device, const RenderOptions& options, Film
     if (options.spp > 0 && sums == nullptr) {
         FilmLayers layers;
         layers.splats = device.makes_splats();
+        layers.replicates = options.replicates;
         sums = &own.emplace(options.width, options.height, layers);
     }
     FilmState state(film, options.spp > 0 ? sums : nullptr, tile_size_for(options));

@@ -20,6 +20,9 @@ public:
     // One more round of work on a tile, or none where it is finished. When cancelled on the way, the tile's pixels count as before. Nobody else works
     // on the tile meanwhile; others may read it under its lock.
     virtual RoundOutcome render_round(FilmState& state, std::size_t tile, RayCounts& counts, const std::atomic<bool>* cancel) = 0;
+
+    // How many samples that tile will have taken in the end, as far as can be told after its last round; 0: nothing can be told.
+    virtual double expected_samples() const { return 0.0; }
 };
 
 // Work that is done in one round.
