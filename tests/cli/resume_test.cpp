@@ -205,6 +205,26 @@ TEST_F(Resume, AStatedErrorEndsTheRender) {
     EXPECT_THAT(lancer({"render", "scene.toml", "--clamp", "0.05", "-o", "a.exr"}).out, HasSubstr("Clamping removed"));
 }
 
+// A disk with room for the picture but not for its films: what is there stays, and it is said.
+TEST_F(Resume, AFullDiskKeepsWhatIsThere) {
+    std::filesystem::create_directory(folder_.file("full"));
+    folder_.write("mount.sh", "mount -t tmpfs -o size=100k tmpfs full");
+    if (Running(folder_, {"sh", "mount.sh"}).wait().status != 0) {
+        GTEST_SKIP() << "no file system of our own can be mounted here";
+    }
+    folder_.write("full/out.exr.checkpoint", "older");
+    const Finished finished =
+        lancer({"render", "scene.toml", "--checkpoint", "30ms", "--size", "150x120", "-o", "full/out.exr", "--spp", "40"});
+    EXPECT_EQ(folder_.read("full/out.exr.checkpoint"), "older");
+    const bool has_picture = folder_.has("full/out.exr");
+    folder_.write("umount.sh", "umount full");
+    EXPECT_EQ(Running(folder_, {"sh", "umount.sh"}).wait().status, 0);
+    EXPECT_TRUE(has_picture);
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_THAT(finished.err, HasSubstr("no checkpoint"));
+    EXPECT_THAT(finished.err, HasSubstr("No space left on device"));
+}
+
 TEST_F(Resume, BadUseIsExplained) {
     EXPECT_THAT(lancer({"resume"}).err, HasSubstr("which picture?"));
     EXPECT_EQ(lancer({"resume", "nothing.exr"}).status, 2);

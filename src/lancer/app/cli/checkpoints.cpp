@@ -60,9 +60,9 @@ void Checkpoints::run() {
     }
 }
 
-bool Checkpoints::write() {
+bool Checkpoints::write(bool durable) {
     try {
-        write_film_file(checkpoint_path(output_), about_, state_, checkpoint_before_path(output_), true);
+        write_film_file(checkpoint_path(output_), about_, state_, checkpoint_before_path(output_), durable);
         ++count_;
         return true;
     } catch (const MachineFailure& failure) {

@@ -32,8 +32,8 @@ public:
     // No more after this. Returns how many there were.
     int stop();
 
-    // One now, from the caller's thread, after stop(). False, and a warning, when it can't be written.
-    bool write();
+    // One now, from the caller's thread, after stop(). False, and a warning, when it can't be written. `durable`: waits for the disk.
+    bool write(bool durable = true);
     // After stop(): removes what was written, or only the one before the last.
     void remove();
     void remove_before();

@@ -231,8 +231,8 @@ private:
                 return;  // a matter of seconds
             }
         }
-        if (!checkpoints.write()) {
-            complete_ = false;
+        if (!checkpoints.write(!finished)) {
+            complete_ = complete_ && finished;  // the picture is there, and that is what was asked for
         } else if (finished) {
             checkpoints.remove_before();
         }
