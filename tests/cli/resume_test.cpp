@@ -208,7 +208,7 @@ TEST_F(Resume, AStatedErrorEndsTheRender) {
 // A disk with room for the picture but not for its films: what is there stays, and it is said.
 TEST_F(Resume, AFullDiskKeepsWhatIsThere) {
     std::filesystem::create_directory(folder_.file("full"));
-    folder_.write("mount.sh", "mount -t tmpfs -o size=100k tmpfs full");
+    folder_.write("mount.sh", "mount -t tmpfs -o size=200k tmpfs full");
     if (Running(folder_, {"sh", "mount.sh"}).wait().status != 0) {
         GTEST_SKIP() << "no file system of our own can be mounted here";
     }
