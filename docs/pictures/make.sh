@@ -95,11 +95,11 @@ aov indirect indirect.R,indirect.G,indirect.B --mulc 2 "${encoded[@]}"
 picture gltf gltf/still-life.glb --size 480x320 --spp 96
 
 # Light from the lamps
-picture prism-rainbow gallery/prism --size 960x540 --spp 512
-picture ring gallery/ring "${small[@]}"
-picture diamond-fire gallery/diamond-fire "${small[@]}"
-picture pool gallery/pool "${small[@]}"
-picture wine-glass gallery/wine-glass --size 480x480
+picture prism-rainbow gallery/prism "${small[@]}" --spp 192
+picture ring gallery/ring "${small[@]}" --spp 96
+picture diamond-fire gallery/diamond-fire "${small[@]}" --spp 128
+picture pool gallery/pool "${small[@]}" --spp 48
+picture wine-glass gallery/wine-glass --size 400x400 --spp 48
 # About the same seconds on one machine.
 picture same-seconds-path features/both-ends --integrator path --size 400x300 --spp 96
 picture same-seconds-bdpt features/both-ends --integrator bdpt --size 400x300 --spp 24

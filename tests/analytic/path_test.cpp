@@ -232,8 +232,10 @@ TEST(Path, APrincipledBodyPartsTheColoursLikeGlass) {
         return world.estimate(4096);
     };
     const Estimate glass = seen_through(scene::DielectricMaterial{.refraction = scene::AbbeGlass{1.7, 20.0}});
-    const Estimate body = seen_through(scene::PrincipledMaterial{.color = scene::Rgb(1.0), .roughness = 0.0, .refraction = 1.7, .transmission = 1.0, .dispersion = 1.0});
-    const Estimate plain = seen_through(scene::PrincipledMaterial{.color = scene::Rgb(1.0), .roughness = 0.0, .refraction = 1.7, .transmission = 1.0});
+    const Estimate body = seen_through(
+        scene::PrincipledMaterial{.color = scene::Rgb(1.0), .roughness = 0.0, .refraction = 1.7, .transmission = 1.0, .dispersion = 1.0});
+    const Estimate plain =
+        seen_through(scene::PrincipledMaterial{.color = scene::Rgb(1.0), .roughness = 0.0, .refraction = 1.7, .transmission = 1.0});
     for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(body.mean[c], glass.mean[c], 1e-3 * glass.mean[c]) << "channel " << c;
         EXPECT_NEAR(body.error[c], glass.error[c], 0.05 * glass.error[c]) << "channel " << c;

@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Golden, SameBytes,
                                          Case{"Light", "gallery/cornell-box.toml", false, Tracer::automatic, 3, "light"},
                                          Case{"BothEnds", "gallery/cornell-box.toml", false, Tracer::automatic, 3, "bdpt"},
                                          Case{"BothEndsInTheTree", "features/principled.toml", false, Tracer::tree, 2, "bdpt"},
-                                         Case{"Photons", "gallery/cornell-box.toml", false, Tracer::automatic, 2, "vcm"},
+                                         Case{"Photons", "gallery/cornell-box.toml", false, Tracer::automatic, 1, "vcm"},
                                          Case{"Fog", "features/fog-balls.toml", false, Tracer::automatic, 2},
                                          Case{"CloudInTheTree", "features/fog-cloud.toml", false, Tracer::tree, 1}),
                          [](const auto& one) { return one.param.name; });

@@ -121,23 +121,30 @@ TEST_P(Agreement, OfAllIntegrators) {
     }
 }
 
+std::string name_of(const testing::TestParamInfo<AgreementCase>& one) { return one.param.name; }
+
 INSTANTIATE_TEST_SUITE_P(Statistics, Agreement,
-                         testing::Values(AgreementCase{"Lamps", "features/lamps.toml", {"bdpt"}},
-                                         AgreementCase{"CornellBox", "gallery/cornell-box.toml", {"bdpt", "vcm"}},
-                                         AgreementCase{"MattBox", "gallery/cornell-box.toml", {"light", "bdpt", "vcm"}, 16, true},
+                         testing::Values(AgreementCase{"CornellBox", "gallery/cornell-box.toml", {"bdpt"}, 8},
+                                         AgreementCase{"MattBox", "gallery/cornell-box.toml", {"light", "bdpt"}, 8, true},
+                                         AgreementCase{"Principled", "features/principled.toml", {"bdpt"}, 4},
+                                         AgreementCase{"ClearBodies", "features/clear-bodies.toml", {"bdpt"}, 4},
+                                         AgreementCase{"VertexColors", "features/vertex-colors.toml", {"bdpt"}, 8}),
+                         name_of);
+
+INSTANTIATE_TEST_SUITE_P(SlowStatistics, Agreement,
+                         testing::Values(AgreementCase{"CornellBoxWithPhotons", "gallery/cornell-box.toml", {"vcm"}},
+                                         AgreementCase{"MattBoxWithPhotons", "gallery/cornell-box.toml", {"vcm"}, 16, true},
                                          AgreementCase{"MattRoom", "features/both-ends.toml", {"light", "bdpt", "vcm"}, 16, true},
-                                         AgreementCase{"Principled", "features/principled.toml", {"bdpt"}},
+                                         AgreementCase{"Lamps", "features/lamps.toml", {"bdpt"}},
                                          AgreementCase{"Plastics", "features/plastics.toml", {"bdpt"}},
                                          AgreementCase{"Metals", "features/metals.toml", {"bdpt"}},
-                                         AgreementCase{"ClearBodies", "features/clear-bodies.toml", {"bdpt"}},
                                          AgreementCase{"DepthOfField", "features/depth-of-field.toml", {"bdpt"}},
                                          AgreementCase{"Masks", "features/masks.toml", {"bdpt"}},
                                          AgreementCase{"Mixes", "features/mixes.toml", {"bdpt"}},
                                          AgreementCase{"Bumps", "features/bumps.toml", {"bdpt"}},
-                                         AgreementCase{"VertexColors", "features/vertex-colors.toml", {"bdpt"}},
                                          AgreementCase{"Environment", "features/environment.toml", {"bdpt"}},
                                          AgreementCase{"StillLife", "gallery/still-life.toml", {"bdpt"}}),
-                         [](const auto& one) { return one.param.name; });
+                         name_of);
 
 }  // namespace
 }  // namespace lancer::statistics

@@ -46,7 +46,8 @@ TEST(Integrator, ThatIsAskedForIsTaken) {
 
 TEST(Integrator, IsNeverOneThatCantRenderTheScene) {
     for (const auto& spoil : {+[](Scene& s) { s.materials[0].open_behind = true; }, +[](Scene& s) { s.settings.glossy_bounces = 2; },
-                              +[](Scene& s) { s.settings.aovs = {"albedo"}; }}) {
+                              +[](Scene& s) { s.settings.aovs = {"albedo"}; }, +[](Scene& s) { s.medium = 0; },
+                              +[](Scene& s) { s.materials[1].interior = 0; }, +[](Scene& s) { s.materials[1].priority = 2; }}) {
         Scene scene = physical(true, true);
         spoil(scene);
         const IntegratorChoice choice = choose_integrator(scene);

@@ -90,6 +90,15 @@ std::vector<Obstacle> obstacles(const Scene& scene, const std::string& integrato
                 {"a material that is not there when seen from within looks different to light than to a camera", material.position});
         }
     }
+    for (const Material& material : scene.materials) {
+        if (std::holds_alternative<NullMaterial>(material.model) || material.interior || material.priority != 0) {
+            found.push_back({"media that scatter, and bodies that overlap by priority, are followed by path only", material.position});
+            break;
+        }
+    }
+    if (scene.medium) {
+        found.push_back({"media that scatter are followed by path only", {scene.file, 0, 0}});
+    }
     const RenderSettings& settings = scene.settings;
     if (settings.diffuse_bounces || settings.glossy_bounces || settings.transmission_bounces) {
         found.push_back({"bounces are limited by kind", {scene.file, 0, 0}});

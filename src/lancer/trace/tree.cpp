@@ -207,7 +207,8 @@ RTCGeometry mesh_geometry(RTCDevice device, const World& world, const kernel::Me
 }
 
 // In world space, its corners those that the kernel compares with.
-RTCGeometry placed_mesh_geometry(RTCDevice device, const World& world, const kernel::MeshRecord& mesh, const kernel::AffineRecord& to_world) {
+RTCGeometry placed_mesh_geometry(RTCDevice device, const World& world, const kernel::MeshRecord& mesh,
+                                 const kernel::AffineRecord& to_world) {
     const auto corners = world.indices.begin() + 3 * static_cast<std::ptrdiff_t>(mesh.first_triangle);
     const int last = *std::max_element(corners, corners + 3 * static_cast<std::ptrdiff_t>(mesh.triangle_count));
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -311,6 +312,16 @@ void add_meshes(Implementation& tree, const World& world) {
     }
 }
 
+// Far from the origin Embree's quick tests of boxes lose more to rounding than there is between things.
+bool is_far_away(RTCScene scene) {
+    RTCBounds b{};
+    rtcGetSceneBounds(scene, &b);
+    const float size = std::max({b.upper_x - b.lower_x, b.upper_y - b.lower_y, b.upper_z - b.lower_z});
+    const float farthest = std::max({std::abs(b.lower_x), std::abs(b.lower_y), std::abs(b.lower_z), std::abs(b.upper_x), std::abs(b.upper_y),
+                                     std::abs(b.upper_z)});
+    return farthest > 16.0f * size;
+}
+
 }  // namespace
 
 Tree::Tree(const World& world, int threads) : implementation_(std::make_unique<Implementation>()) {
@@ -324,6 +335,10 @@ Tree::Tree(const World& world, int threads) : implementation_(std::make_unique<I
     add_shapes(tree, world);
     add_meshes(tree, world);
     rtcCommitScene(tree.scene);
+    if (is_far_away(tree.scene)) {
+        rtcSetSceneFlags(tree.scene, RTC_SCENE_FLAG_ROBUST);
+        rtcCommitScene(tree.scene);
+    }
     check(tree.device);
 }
 

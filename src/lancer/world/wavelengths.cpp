@@ -60,11 +60,11 @@ Curve light_of(const World& world) {
     };
     // Weighed by all of its light, where the strength is that of what is worth asking for; an image is all under the light of the horizon.
     const auto add_sky = [&](double strength) {
-        if (world.sky.kind == kernel::SKY_IMAGE) {
+        const bool gradient = world.sky.kind == kernel::SKY_GRADIENT;
+        if (!gradient && world.sky.kind != kernel::SKY_EVEN) {
             add(world.sky.horizon, strength > 0.0 ? strength : 1.0);
             return;
         }
-        const bool gradient = world.sky.kind == kernel::SKY_GRADIENT;
         const auto part = [&](const kernel::ColorRecord& color, double share) {
             add(color, std::numbers::pi * share * luminance_of(world, curve_of(world, color)));
         };

@@ -157,7 +157,8 @@ const Table& principled_material() {
          {"sheen_roughness", Kind::value, 0.3, share, "", "Of the fibres."},
          {"film", Kind::value, 0.0, Range{0.0, 10000.0}, "nm", "The thickness of a film that shimmers in colours; 0 for none."},
          {"film_refraction", Kind::number, 1.3, Range{1.0, 3.0}, "", "The refractive index of the film."},
-         {"dispersion", Kind::number, 0.0, Range{0.0, 10.0}, "", "How far the clear body parts the colours: 20 over its Abbe number, as in glTF."},
+         {"dispersion", Kind::number, 0.0, Range{0.0, 10.0}, "",
+          "How far the clear body parts the colours: 20 over its Abbe number, as in glTF."},
          interior,
          priority});
     return table;

@@ -58,8 +58,7 @@ FN Vec4 photon_wavelengths(IN(WorldRecord) world, int sample_number, Mask mask) 
     Vec4 nanometres = vec4_all(Float(D_LINE));
     if (world.spectral != 0) {
         Sampler numbers = start_sampler(scramble(scramble(UInt(uint(world.seed))) ^ UInt(0x50484f54u)), UInt(uint(sample_number)));
-        Vec2 u = sample_pair(numbers, UInt(uint(DECISION_WAVELENGTH)));
-        nanometres = wavelengths_at(world, u.x, mask);
+        nanometres = wavelengths_at(world, quartered_number(numbers, UInt(uint(sample_number)), UInt(uint(DECISION_WAVELENGTH))), mask);
     }
     return nanometres;
 }
