@@ -6,6 +6,7 @@
     gem.obj          a round brilliant: 57 facets and a faceted girdle
     vase.obj         a turned vase, with normals and texture coordinates
     goblet.ply, wine.ply  a wine glass of height 2.2, and what is in it: wine that reaches a little into the glass; binary, with normals
+    still-life.obj   a table with a bowl, fruit, a mirror and a vase, with the materials of still-life.mtl
     ring.ply         a finger ring: outer radius 1, height 0.36; binary, with normals
     water.ply        the top of a pool of 4 x 4, waves of six directions; binary, with normals
     pawn.ply, queen.ply, bishop.ply, king.ply, rook.ply   turned chessmen; binary, with normals
@@ -295,6 +296,98 @@ def chessmen():
         write_ply(name + ".ply", positions, normals, triangles, True)
 
 
+def still_life():
+    """Groups with materials; polygons of four corners; numbers that count backwards."""
+    lines = ["# A still life, made by make.py; its materials are in still-life.mtl.", "mtllib still-life.mtl"]
+
+    def part(name, material, positions, normals, uvs, faces):
+        lines.extend([f"o {name}", f"usemtl {material}"])
+        lines.extend(f"v {p[0]:.3f} {p[1]:.3f} {p[2]:.3f}" for p in positions)
+        lines.extend(f"vt {t[0]:.3f} {t[1]:.3f}" for t in uvs)
+        lines.extend(f"vn {n[0]:.2f} {n[1]:.2f} {n[2]:.2f}" for n in normals)
+        count = len(positions)
+        lines.extend("f " + " ".join(f"{i - count}/{i - count}/{i - count}" for i in face) for face in faces)
+
+    def sheet(name, material, corner, along, up, times=1):
+        positions = [corner, add(corner, along), add(add(corner, along), up), add(corner, up)]
+        part(name, material, positions, [unit(cross(along, up))] * 4, [[0, 0], [times, 0], [times, times], [0, times]], [(0, 1, 2, 3)])
+
+    def turned(name, material, line, at, around=30, steps=2):
+        positions, normals, uvs, triangles = lathe(line, around, steps)
+        part(name, material, [add(p, at) for p in positions], normals, uvs, triangles)
+
+    def round_line(radius):
+        return [[radius * math.sin(math.pi * i / 8), radius - radius * math.cos(math.pi * i / 8)] for i in range(9)]
+
+    sheet("table", "wood", [-2.4, 0, 1.6], [4.8, 0, 0], [0, 0, -3.2], 2)
+    sheet("wall", "plaster", [-2.4, 0, -1.6], [4.8, 0, 0], [0, 2.6, 0])
+    sheet("mirror", "mirror", [-2.1, 0.05, -1.2], [1.9, 0, -0.2], [0, 1.9, -0.1])
+    bowl = [[0, 0], [0.3, 0], [0.3, 0], [0.32, 0.03], [0.55, 0.12], [0.8, 0.36], [0.86, 0.5], [0.86, 0.5], [0.82, 0.5], [0.82, 0.5], [0.74, 0.36],
+            [0.5, 0.17], [0, 0.12]]
+    turned("bowl", "glaze", bowl, [0.15, 0, 0.1])
+    turned("orange", "orange", round_line(0.3), [-0.1, 0.22, 0.2])
+    turned("lemon", "lemon", round_line(0.25), [0.42, 0.27, 0.05])
+    turned("golden apple", "gold", round_line(0.27), [1.35, 0, 0.75])
+    glass = [[0, 0], [0.3, 0], [0.3, 0], [0.33, 0.05], [0.28, 0.5], [0.36, 1.1], [0.42, 1.3], [0.42, 1.3], [0.39, 1.3], [0.39, 1.3], [0.33, 1.1], [0.25, 0.5],
+             [0.28, 0.12], [0, 0.1]]
+    turned("vase", "glass", glass, [1.45, 0, -0.45])
+    sheet("leaf", "leaf", [-1.5, 0.02, 1.3], [1.0, 0, 0.25], [0.1, 0.28, -0.85])
+    with open(os.path.join(HERE, "still-life.obj"), "w") as file:
+        file.write("\n".join(lines) + "\n")
+    with open(os.path.join(HERE, "still-life.mtl"), "w") as file:
+        file.write(MATERIALS)
+
+
+MATERIALS = """# Made by make.py: one material of each kind.
+newmtl wood
+Kd 1 1 1
+map_Kd -s 1 0.5 ../textures/wood.png
+Ks 0.5 0.5 0.5
+Ns 120
+
+newmtl plaster
+Kd 0.62 0.6 0.56
+illum 1
+
+newmtl mirror
+Kd 0 0 0
+Ks 0.92 0.92 0.92
+illum 3
+
+newmtl glaze
+Kd 0.05 0.16 0.4
+Pr 0.6
+Pc 1
+Pcr 0.05
+
+newmtl orange
+Kd 0.8 0.3 0.03
+Ks 0.5 0.5 0.5
+Ns 30
+
+newmtl lemon
+Kd 0.85 0.68 0.05
+Ks 0.5 0.5 0.5
+Ns 60
+
+newmtl gold
+Kd 1 0.72 0.3
+Pm 1
+Pr 0.25
+
+newmtl glass
+Ni 1.5
+Tf 0.9 1 0.93
+illum 7
+
+newmtl leaf
+Kd 1 1 1
+map_Kd ../textures/leaf.png
+map_d ../textures/leaf.png
+illum 1
+"""
+
+
 if __name__ == "__main__":
     torus_knot()
     blob()
@@ -304,3 +397,4 @@ if __name__ == "__main__":
     ring()
     water()
     chessmen()
+    still_life()

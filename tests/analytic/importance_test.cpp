@@ -24,7 +24,7 @@ CameraRecord camera_of(scene::Projection projection, double aperture) {
     camera.fov = 70.0;
     world.scene.settings.width = 40;
     world.scene.settings.height = 24;
-    world.add(scene::Sphere{{0.0, 0.0, 0.0}, 1.0}, 0);
+    world.add(scene::Sphere{{0.0, 0.0, 0.0}, 1.0}, world.add(matte()));
     return world.compile()->camera;
 }
 

@@ -63,6 +63,9 @@ std::optional<double> place_in_picture(double nanometres, const std::string& int
         return std::nullopt;
     }
     scene->background = {};
+    for (scene::Material& material : scene->materials) {
+        material.emission.reset();
+    }
     scene::SpotLight beam;
     beam.position = {-1.6, 0.03, beam_z};
     beam.direction = {1.0, 0.0, 0.0};

@@ -287,7 +287,7 @@ TEST_F(Farm, MistakesAreExplained) {
     std::filesystem::create_directory(folder.path() / "broken");
     folder.write("broken/manifest.json", "{\"format\": 1, \"lancer\": 3}");
     const std::pair<Words, const char*> mistakes[] = {
-        {{"farm"}, "lancer farm: error: A subcommand is required"},
+        {{"farm"}, "lancer farm: error: submit, status or cancel?"},
         {{"farm", "submti"}, "there is no subcommand submti; did you mean \"submit\"?"},
         {{"farm", "submit"}, "which scene?"},
         {{"farm", "submit", "scene.toml"}, "where shall the picture go?"},

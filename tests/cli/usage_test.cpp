@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"render", "scene.toml", "-o", "old.png", "--aa", "adaptve"},
                 "--aa: expected uniform or adaptive, not \"adaptve\"; did you mean \"adaptive\"?"},
         Mistake{{"render", "scene.toml", "-o", "old.png", "--integrator", "pats"},
-                "--integrator: expected auto or whitted or path or direct, not"},
+                "--integrator: expected auto or whitted or path or direct or light or bdpt or vcm, not"},
         Mistake{{"render", "scene.toml", "-o", "old.png", "--trace", "fast"}, "--trace: expected auto or lanes or bvh, not \"fast\""},
         Mistake{{"render", "scene.toml", "-o", "old.png", "--progress", "loud"}, "--progress: expected bar or plain or json"}));
 

@@ -66,12 +66,24 @@ class Farm:
         return found
 
 
+    def freeze(self, node):
+        """Stops a task that is at work on the node; whether there was one."""
+        for pid in self.workers().get(node, []):
+            send(pid, signal.SIGSTOP)
+            try:
+                if pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] in "Tt":
+                    return True
+            except OSError:
+                pass
+        return False
+
+
 def a_node_is_lost(farm):
     farm.lancer("render", *PICTURE, "--quiet", "-o", "single.exr", "-o", "single.png")
     said = farm.lancer("farm", "submit", *PICTURE, "-o", "many.exr", "-o", "many.png", "--shards", "10", "--slurm")
     expect("10 shards in 10 tasks, given to Slurm" in said, said)
     farm.wait("many.farm", "two of ten shards", lambda s: s["units_done"] >= 2)
-    farm.cluster.wait_for("both nodes to work", lambda: "one" in (workers := farm.workers()) and "two" in workers)
+    farm.cluster.wait_for("the first node to be at work", lambda: farm.freeze("one"))  # so that it is not done before it dies
     killed = farm.cluster.kill_node("one")
     expect(killed >= 3, f"a daemon, a step and a task at least, not {killed} processes")
     expect(not farm.status("many.farm")["done"], "the node was lost too late to tell anything")

@@ -66,6 +66,13 @@ def send(pid, number):
         pass
 
 
+def parent_of(pid):
+    try:
+        return int(pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[1])
+    except OSError:
+        return pid
+
+
 CONFIGURATION = """
 ClusterName=virtual
 SlurmctldHost={host}(127.0.0.1)
@@ -166,14 +173,15 @@ class VirtualCluster:
         """As a machine that loses its power: the daemon and all that it started, at once. Returns how many processes that were."""
         daemon = self.daemons.pop(name)
         victims = children_of([daemon.pid]) | {daemon.pid}
-        # A running job hangs on slurmstepd, which has left the daemon for the reaper above it: this process.
+        # A running task hangs on slurmstepd, which has left the daemon for the reaper above it: this process.
         for pid in children_of([os.getpid()]) - victims:
             try:
                 words = pathlib.Path(f"/proc/{pid}/environ").read_bytes().split(b"\0")
             except OSError:
                 continue
             if f"SLURMD_NODENAME={name}".encode() in words:
-                victims |= {pid} | children_of([pid])
+                victims |= {pid, parent_of(pid)} | children_of([pid])
+        victims.discard(os.getpid())
         for number in (signal.SIGSTOP, signal.SIGKILL):  # stopped first, so that nobody is left to tell of another's death
             for pid in victims:
                 send(pid, number)

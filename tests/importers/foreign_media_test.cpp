@@ -88,7 +88,7 @@ Shape "sphere"
     EXPECT_TRUE(std::holds_alternative<scene::NullMaterial>(material(0).model));
     const scene::Medium& cloud = r.scene->media[static_cast<std::size_t>(material(0).interior.value())];
     EXPECT_EQ(cloud.density.value().data->values, std::vector<float>({0.25f, 0.5f}));
-    EXPECT_EQ(glm::dvec3(cloud.density.value().to_world * glm::dvec4(1, 1, 1, 1)), glm::dvec3(12, 1, 1));
+    EXPECT_EQ(glm::dvec3(cloud.density.value().to_world * glm::dvec4(1, 1, 1, 1)), glm::dvec3(-12, 1, 1));
     EXPECT_TRUE(cloud.density.value().fades);
     const scene::Medium& colors = r.scene->media[static_cast<std::size_t>(material(1).interior.value())];
     EXPECT_EQ(colors.density.value().data->values, std::vector<float>({2.0f, 0.0f, 4.0f}));

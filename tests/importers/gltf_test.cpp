@@ -14,7 +14,9 @@ TEST(Gltf, TriangleAsTextAndAsBinary) {
     file.triangle();
     for (const GltfReading& reading : {read_gltf_bytes(file.text()), read_gltf_bytes(file.binary(), {}, "scene.glb")}) {
         ASSERT_TRUE(reading.scene) << reading.all();
-        EXPECT_TRUE(reading.messages.empty()) << reading.all();
+        EXPECT_EQ(reading.messages.size(), 2u) << reading.all();
+        EXPECT_NE(reading.all().find("note: there is no camera"), std::string::npos);
+        EXPECT_NE(reading.all().find("note: there is no light"), std::string::npos);
         ASSERT_EQ(reading.scene->objects.size(), 1u);
         const scene::TriangleMesh& mesh = mesh_of(*reading.scene);
         EXPECT_EQ(mesh.positions[1], glm::vec3(1, 0, 0));
@@ -286,6 +288,17 @@ TEST(GltfErrors, CountsThatNoBytesExplain) {
     expect_refused(read_gltf_file(file), "4294967295 elements");
     file.json["accessors"][0].erase("bufferView");
     expect_refused(read_gltf_file(file), "far more memory");
+}
+
+// A data URI of 2 GB; of a file with a hole in it, so that the disk holds next to nothing.
+TEST(GltfErrors, DataThatIsTooLargeForText) {
+    const TemporaryFolder folder;
+    const std::string path =
+        folder.write("large.gltf", R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 2000000000, "uri": "data:;base64,)");
+    std::filesystem::resize_file(path, std::uintmax_t{2} << 30);
+    const Reading reading = read_path(path);
+    EXPECT_FALSE(reading.scene);
+    EXPECT_EQ(reading.messages.size(), 1u);
 }
 
 TEST(GltfErrors, BytesThatAreNotThere) {

@@ -145,7 +145,7 @@ TEST(MediaToml, SaysWhatIsWrong) {
         {"[medium.a]\nabsorption = [1, 1, 1]\nalbedo = 'red'\n", "a medium has either \"extinction\" and \"albedo\" or \"absorption\""},
         {"[medium.a]\nextinction = [1, 1, 1]\n", "\"extinction\" needs \"albedo\" beside it"},
         {"[medium.a]\nalbedo = 'red'\n", "an albedo needs \"extinction\" beside it"},
-        {"[medium.a]\nscattering = [-1, 0, 0]\n", "\"scattering\" must be at least 0, not -1"},
+        {"[medium.a]\nscattering = [-1, 0, 0]\n", "\"scattering\" must be at least 0 1/m, not -1"},
         {"[medium.a]\nasymmetry = 1\n", "\"asymmetry\" must be from -0.999 to 0.999, not 1"},
         {"[medium.a]\nphase = 'rayleigh'\nasymmetry = 0.5\n", "\"asymmetry\" belongs to the phase henyey-greenstein"},
         {"[medium.a]\nabsorbtion = [1, 1, 1]\n", "did you mean \"absorption\"?"},

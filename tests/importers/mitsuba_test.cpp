@@ -267,7 +267,7 @@ TEST_F(Mitsuba, CheckersOfAnyShape) {
         <transform name="to_uv"><scale x="4" y="2"/><translate x="0.25"/></transform></texture></bsdf></shape>)");
     const auto& image = std::get<scene::ImageTexture>(std::get<scene::DiffuseMaterial>(scene.materials.at(0).model).color);
     EXPECT_EQ(image.filter, scene::Filter::nearest);
-    EXPECT_EQ(image.scale, glm::dvec2(4, 2));
+    EXPECT_EQ(image.scale, glm::dvec2(4, -2)) << "pictures are stored from the top";
     ASSERT_TRUE(image.bytes);
     const Image squares = read_image(*image.bytes, image.file, Encoding::linear);
     EXPECT_NEAR(double(squares.pixels.at(0)), 0.4, 1e-6);

@@ -1,6 +1,9 @@
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 #include "lancer/image/image.h"
+#include "lancer/spectrum/observer.h"
 #include "reading.h"
 
 namespace lancer {
@@ -101,9 +104,20 @@ TEST(Pbrt, LightsAreAsBrightAsPbrtMakesThem) {
     const double sensitivity = 400.0 / 100.0 * 0.5;
     EXPECT_EQ(*r.scene->lights.at(0).power, scene::Rgb(2, 4, 6) * sensitivity);
     EXPECT_NEAR(r.scene->lights.at(1).power->rgb.y, sensitivity, 1e-9);
-    const glm::dvec3 sun = r.scene->lights.at(2).power->rgb;
-    EXPECT_NEAR(glm::dot(sun, glm::dvec3(0.2126, 0.7152, 0.0722)), 7.0 * sensitivity, 1e-2 * 7.0);
-    EXPECT_GT(sun.x, sun.z) << "warmer than daylight";
+    const auto& sun = r.scene->lights.at(2).power->spectrum;
+    ASSERT_TRUE(sun);
+    const auto* measured = std::get_if<scene::MeasuredSpectrum>(&sun->shape);
+    ASSERT_TRUE(measured);
+    EXPECT_LT(measured->values.front(), measured->values.back()) << "at 5000 kelvin there is less violet than deep red";
+    double seen = 0.0;  // by steps of a nanometre
+    for (int nm = 360; nm < 830; ++nm) {
+        const auto& at = measured->nanometres;
+        const auto next = std::clamp<std::ptrdiff_t>(std::upper_bound(at.begin(), at.end(), nm + 0.5) - at.begin(), 1, std::ssize(at) - 1);
+        const auto i = static_cast<std::size_t>(next);
+        const double part = (nm + 0.5 - at[i - 1]) / (at[i] - at[i - 1]);
+        seen += (measured->values[i - 1] * (1.0 - part) + measured->values[i] * part) * cie_1931_fine(nm + 0.5).y / cie_1931_area();
+    }
+    EXPECT_NEAR(sun->luminance.value_or(seen) * sun->scale, 7.0 * sensitivity, 1e-2 * 7.0);
     EXPECT_FALSE(r.scene->settings.rgb) << "a black body is a spectrum";
 }
 

@@ -144,7 +144,8 @@ TEST(Schema, ListsEveryKeyWithHelp) {
     for (const Table* table : materials()) {
         check(*table, std::string(table->name) + "_material");
     }
-    for (const Table* table : {&camera(), &checker(), &image(), &place(), &group(), &background(), &ambient(), &render()}) {
+    for (const Table* table :
+         {&camera(), &checker(), &image(), &place(), &include(), &group(), &background(), &clear_sky(), &ambient(), &render()}) {
         check(*table, std::string(table->name));
     }
     check(abbe_glass(), "abbe_glass");
@@ -224,6 +225,9 @@ name = "h"
 [[group.cylinder]]
 from = [0, 0, 0]
 [[place]]
+group = "h"
+matrix = [1, 0.5, 0, 0, 0, 1, 0, 2, 0, 0, 1, 0]
+[[place]]
 group = "g"
 material = { diffuse = 0.5 }
 rotate = { axis = [0, 1, 0], angle = 30 }
@@ -286,6 +290,9 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
                              "[[group]]\n",
                              "[[group]]\nname = 'a'\n[[group.spher]]\n",
                              "[[place]]\n",
+                             "[[include]]\n",
+                             "[[include]]\nfile = 'a.toml'\ndefine = ['a']\n",
+                             "[[sphere]]\nmatrix = [1, 0, 0]\n",
                              "[[place]]\ngroup = ''\n",
                              "background = 3\n",
                              "ambient = [0, 0, -1]\n",

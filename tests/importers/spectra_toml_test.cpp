@@ -44,8 +44,8 @@ material = { type = "conductor", n = "n.spd", k = 2.5 }
     const auto& glass = std::get<scene::DielectricMaterial>(reading.scene->materials.at(0).model);
     EXPECT_EQ(std::get<scene::MeasuredSpectrum>(glass.refraction).values, (std::vector<double>{1.6, 1.5}));
     const auto& metal = std::get<scene::ConductorMaterial>(reading.scene->materials.at(1).model);
-    EXPECT_EQ(metal.n.value().values.size(), 2u);
-    EXPECT_EQ(metal.k.value().values, std::vector<double>{2.5});
+    EXPECT_EQ(std::get<scene::MeasuredSpectrum>(metal.n.value()).values.size(), 2u);
+    EXPECT_EQ(std::get<scene::MeasuredSpectrum>(metal.k.value()).values, std::vector<double>{2.5});
     // What the files hold is part of the scene's hash.
     const std::string before = reading.scene->hash;
     folder.write("n.spd", "400 1.6\n700 1.51\n");

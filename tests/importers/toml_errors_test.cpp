@@ -66,8 +66,9 @@ const Mistake whole_files[] = {
      {": error: the scene is dark: it needs a [[light]], a material or medium with `emission`, a [background] or `ambient` light"}},
     {"UnknownTable", "[[spere]]\n" + rest, {":1:3: error: a scene has no \"spere\"; did you mean \"sphere\"?"}},
     {"UnknownOther",
-     "[sky]\n" + rest,
-     {":1:2: error: a scene has no \"sky\"; there may be camera, light, material, medium, group, place, background, ambient, render, "
+     "[weather]\n" + rest,
+     {":1:2: error: a scene has no \"weather\"; there may be camera, light, material, medium, group, place, include, background, sky, "
+      "ambient, render, "
       "sphere, box, "
       "plane, disk, cylinder, cone, mesh"}},
     {"KeyOutsideOfItsTable", "size = [3, 4]\n" + rest, {":1:1: error: a scene has no \"size\"; it belongs below [render]"}},
@@ -130,7 +131,7 @@ const Mistake meshes[] = {
      "[[mesh]]\nfile = 'no.obj'\npositions = []\n",
      {":2:8: error: cannot read \"no.obj\": there is no such file", ":3:13: error: a mesh has either \"file\" or \"positions\""}},
     {"NoFile", "[[mesh]]\nfile = 'no.ply'\n", {":2:8: error: cannot read \"no.ply\": there is no such file"}},
-    {"OtherFile", "[[mesh]]\nfile = 'a.stl'\n", {":2:8: error: \"a.stl\": meshes are read from .obj and .ply files"}},
+    {"OtherFile", "[[mesh]]\nfile = 'a.stl'\n", {":2:8: error: \"a.stl\": meshes are read from .obj, .ply and .meshes files"}},
     {"NoCorner",
      "[[mesh]]\npositions = [[0,0,0],[1,0,0],[0,1,0]]\ntriangles = [[0,1,3]]\n",
      {":3:19: error: there is no corner 3: \"positions\" has 3, counted from 0"}},
@@ -240,11 +241,17 @@ const Mistake materials[] = {
 };
 
 const Mistake lights[] = {
-    {"NoType", "[[light]]\nposition = [0, 0, 0]\n", {":1:1: error: a light needs \"type\": \"point\", \"spot\" or \"directional\""}},
+    {"NoType",
+     "[[light]]\nposition = [0, 0, 0]\n",
+     {":1:1: error: a light needs \"type\": \"point\", \"spot\", \"directional\", \"projector\", \"goniometric\" or \"ies\""}},
     {"Type",
      "[[light]]\ntype = 'pont'\n",
-     {":2:8: error: a light needs \"type\": \"point\", \"spot\" or \"directional\", not \"pont\"; did you mean \"point\"?"}},
-    {"TypeNoText", "[[light]]\ntype = 1\n", {":2:8: error: a light needs \"type\": \"point\", \"spot\" or \"directional\", not a number"}},
+     {":2:8: error: a light needs \"type\": \"point\", \"spot\", \"directional\", \"projector\", \"goniometric\" or \"ies\", not \"pont\"; "
+      "did you mean \"point\"?"}},
+    {"TypeNoText",
+     "[[light]]\ntype = 1\n",
+     {":2:8: error: a light needs \"type\": \"point\", \"spot\", \"directional\", \"projector\", \"goniometric\" or \"ies\", not a "
+      "number"}},
     {"Position", "[[light]]\ntype = 'point'\n", {":1:1: error: a point light needs \"position\""}},
     {"KeyOfAnotherType",
      "[[light]]\ntype = 'point'\nposition = [0, 0, 0]\nangle = 3\n",
@@ -297,7 +304,7 @@ const Mistake settings[] = {
     {"Ssaa", "[render]\nssaa = 0\n", {":2:8: error: \"ssaa\" must be from 1 to 64, not 0"}},
     {"Integrator",
      "[render]\nintegrator = 'pats'\n",
-     {":2:14: error: \"integrator\" must be \"auto\", \"whitted\", \"path\" or \"direct\", not \"pats\""}},
+     {":2:14: error: \"integrator\" must be \"auto\", \"whitted\", \"path\", \"direct\", \"light\", \"bdpt\" or \"vcm\", not \"pats\""}},
     {"Aa", "[render]\naa = 4\n", {":2:6: error: \"aa\" must be \"uniform\" or \"adaptive\", not a number"}},
     {"HugeNumber",
      "[render]\nbounces = 9223372036854775807\n",

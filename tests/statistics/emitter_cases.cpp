@@ -77,6 +77,15 @@ scene::Mesh grid(int side) {
     return scene::Mesh{mesh, false};
 }
 
+scene::ImageTexture bright_picture() {
+    const Image image{2, 2, 3, std::vector<float>(12, 0.5f)};
+    const std::string file = testing::TempDir() + "bright.hdr";
+    write_image(file, image, {});
+    scene::ImageTexture texture;
+    texture.file = file;
+    return texture;
+}
+
 // A few texels of different brightness, one of them a sun, some black.
 scene::Background image_of_a_sky() {
     Image image;
@@ -101,11 +110,22 @@ scene::Background image_of_a_sky() {
 std::vector<EmitterCase> emitter_cases() {
     std::vector<EmitterCase> cases;
     const auto add = [&](const std::string& name, int kind, std::shared_ptr<const World> world) {
-        cases.push_back({name, kind, std::move(world), {}});
+        cases.push_back({name, kind, std::move(world), {}, 1});
     };
     add("point", EMITTER_POINT, world_lit_by(scene::PointLight{{1.0, 2.0, 0.5}}));
     add("spot", EMITTER_SPOT, world_lit_by(scene::SpotLight{{1.0, 2.0, 0.5}, {-0.4, -0.9, -0.2}, 30.0, 5.0}));
     add("directional", EMITTER_DIRECTIONAL, world_lit_by(scene::DirectionalLight{{0.2, -0.9, 0.1}}));
+    scene::ProjectorLight projector;
+    projector.position = {1.0, 2.0, 0.5};
+    projector.direction = {-1.0, -2.1, -0.6};
+    projector.image = bright_picture();
+    add("projector", EMITTER_PROJECTOR, world_lit_by(projector));
+    add("goniometric", EMITTER_GONIOMETRIC,
+        world_lit_by(scene::GoniometricLight{{1.0, 2.0, 0.5}, {0.0, 0.3, -1.0}, {0.0, 1.0, 0.0}, bright_picture()}));
+    const scene::Photometry photometry{{0.0, 45.0, 90.0, 180.0}, {0.0}, {3.0, 2.0, 1.0, 1.0}};
+    add("photometric", EMITTER_IES,
+        world_lit_by(
+            scene::IesLight{{1.0, 2.0, 0.5}, {0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, std::make_shared<const scene::Photometry>(photometry)}));
     scene::Scene sky = lit_scene();
     sky.materials.front().emission.reset();
     scene::Object ball;
@@ -117,6 +137,9 @@ std::vector<EmitterCase> emitter_cases() {
     add("gradient", EMITTER_ENVIRONMENT, compiled(sky));
     sky.background.horizon = sky.background.nadir = sky.background.zenith;
     add("even sky", EMITTER_ENVIRONMENT, compiled(sky));
+    sky.background.sky = scene::ClearSky{};
+    sky.background.sky->has_sun = false;
+    add("clear sky", EMITTER_ENVIRONMENT, compiled(sky));
     sky.background = image_of_a_sky();
     add("image of a sky", EMITTER_ENVIRONMENT, compiled(sky));
     sky.settings.integrator = "direct";
@@ -136,6 +159,17 @@ std::vector<EmitterCase> emitter_cases() {
     triangle->positions = {{-0.5f, 1.5f, -0.4f}, {1.2f, 1.6f, 0.0f}, {0.1f, 1.0f, 1.1f}};
     triangle->triangles = {{0, 1, 2}};
     add("triangle", EMITTER_TRIANGLE, world_with(scene::Mesh{triangle, false}));
+    // Two small triangles far apart are emitters of their own.
+    auto pair = std::make_shared<scene::TriangleMesh>();
+    pair->positions = triangle->positions;
+    pair->positions.insert(pair->positions.end(), {{90.0f, 0.0f, 0.0f}, {90.0f, 0.0f, 1.0f}, {91.0f, 0.0f, 0.0f}});
+    pair->triangles = {{0, 1, 2}};
+    pair->triangles.resize(70, {3, 4, 5});
+    add("triangle of a large mesh", EMITTER_MESH_TRIANGLE, world_with(scene::Mesh{pair, false}));
+    cases.back().count = 70;
+    for (const auto& [u, v] : {std::pair{0.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}}) {
+        cases.back().corners.push_back(mesh_surface(cases.back().world->record(), 0, 0, u, v, true).position);
+    }
     const scene::Checker squares{scene::Rgb(1.0), scene::Rgb(0.0), 0.4, true};
     for (const scene::Texture& texture : {scene::Texture(scene::Rgb(1.0)), scene::Texture(squares)}) {
         add("mesh", EMITTER_MESH, world_with(grid(6), glm::translate(glm::dmat4(1.0), {-0.3, 1.3, -0.2}), texture));
@@ -155,7 +189,7 @@ std::vector<Met> points_along(const EmitterCase& c, const WorldRecord& world, co
     ray.origin = vec3_all(0.0f);
     ray.direction = direction;
     ray.reach = FAR;
-    if (c.kind == EMITTER_MESH) {
+    if (c.kind == EMITTER_MESH || c.kind == EMITTER_MESH_TRIANGLE) {
         const int count = static_cast<int>(c.corners.size() / 3);
         for (int part = 0; part < count; ++part) {
             const auto corner = [&](int i) { return c.corners[static_cast<std::size_t>(3 * part + i)]; };

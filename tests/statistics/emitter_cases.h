@@ -16,6 +16,7 @@ struct EmitterCase {
     int kind = 0;
     std::shared_ptr<const World> world;
     std::vector<kernel::Vec3> corners;  // of a mesh's triangles
+    int count = 1;                      // of emitters; the first one is tested
 };
 
 std::vector<EmitterCase> emitter_cases();

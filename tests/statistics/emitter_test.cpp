@@ -45,7 +45,7 @@ TEST(Emitter, DrawsWithItsDensity) {
         SCOPED_TRACE(c.name);
         ASSERT_TRUE(c.world);
         const WorldRecord world = c.world->record();
-        ASSERT_EQ(world.emitter_count, 1);
+        ASSERT_EQ(world.emitter_count, c.count);
         const EmitterRecord emitter = c.world->emitters.front();
         ASSERT_EQ(emitter.kind, c.kind);
         const Vec3 from = vec3_all(0.0f);

@@ -9,6 +9,7 @@
 #include "lancer/import/gltf/gltf.h"
 #include "lancer/import/import.h"
 #include "lancer/import/mitsuba/mitsuba.h"
+#include "lancer/import/obj/obj.h"
 #include "lancer/import/pbrt/pbrt.h"
 #include "lancer/import/reader.h"
 
@@ -16,10 +17,25 @@ namespace lancer {
 
 namespace {
 
-// The tree of values takes many times the text's size; large meshes belong into files of their own.
-constexpr std::size_t largest_toml = std::size_t{32} << 20;
+// What a mesh that stands alone is seen by, unless the file says more.
+void add_view(ImportContext& context, scene::Scene& scene) {
+    if (context.options.is_part || context.diagnostics.has_errors()) {
+        return;
+    }
+    const bool is_physical = std::any_of(scene.materials.begin(), scene.materials.end(), scene::is_physical);
+    const bool shines = std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return m.emission.has_value(); });
+    if (!is_physical) {
+        scene.lights = default_lights();
+        scene.background = default_background();
+    } else if (!shines) {
+        scene.background = neutral_surroundings();
+        context.report.approximated("no light", "neutral surroundings, brighter above, light the scene", {context.path});
+        context.diagnostics.note({context.path}, "there is no light: neutral surroundings, brighter above, are used");
+    }
+    scene.cameras.push_back(default_camera(scene::bounds(scene)));
+}
 
-// An OBJ or PLY file alone.
+// A PLY file alone.
 void read_mesh_alone(ImportContext& context, scene::Scene& scene) {
     scene::Mesh mesh;
     mesh.data = context.files.mesh(context.path, {});
@@ -27,11 +43,14 @@ void read_mesh_alone(ImportContext& context, scene::Scene& scene) {
         return;
     }
     const SourcePosition position{context.path, 0, 0};
-    scene.materials.push_back({{}, scene::WhittedMaterial{}, position});
+    scene.materials.push_back({{}, scene::WhittedMaterial{}, position, std::nullopt, true});
     scene.objects.push_back({{}, mesh, 0, glm::dmat4(1.0), position});
-    scene.lights = default_lights();
-    scene.background = default_background();
-    scene.cameras.push_back(default_camera(scene::bounds(scene)));
+    add_view(context, scene);
+}
+
+void read_obj_alone(ImportContext& context, scene::Scene& scene) {
+    read_obj_scene(context, scene);
+    add_view(context, scene);
 }
 
 struct Format {
@@ -39,40 +58,41 @@ struct Format {
     Reader read;
 };
 
-// All formats but our own.
 constexpr std::array formats = {
-    Format{".gltf", read_gltf},      Format{".glb", read_gltf},  Format{".obj", read_mesh_alone},
+    Format{".toml", read_toml},      Format{".gltf", read_gltf}, Format{".glb", read_gltf},    Format{".obj", read_obj_alone},
     Format{".ply", read_mesh_alone}, Format{".pbrt", read_pbrt}, Format{".xml", read_mitsuba},
 };
 
 }  // namespace
 
 std::vector<std::string> scene_endings() {
-    std::vector<std::string> endings = {".toml"};
+    std::vector<std::string> endings;
     for (const Format& format : formats) {
         endings.emplace_back(format.ending);
     }
     return endings;
 }
 
-std::optional<scene::Scene> import_scene(const std::string& path, const ImportOptions& options, ImportReport& report,
-                                         Diagnostics& diagnostics) {
-    const std::string ending = file_ending(path);
-    if (ending == ".toml") {
-        const auto bytes = read_file(path, {}, diagnostics, largest_toml);
-        return bytes ? import_toml(bytes->view(), path, diagnostics) : std::nullopt;
-    }
+void read_scene(ImportContext& context, const SourcePosition& named_at, scene::Scene& scene) {
+    const std::string ending = file_ending(context.path);
     const auto format = std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.ending == ending; });
     if (format == formats.end()) {
-        diagnostics.error({}, fmt::format("cannot tell what \"{}\" is: scenes end with one of {}", path, fmt::join(scene_endings(), ", ")));
-        return std::nullopt;
+        context.diagnostics.error(
+            named_at, fmt::format("cannot tell what \"{}\" is: scenes end with one of {}", context.path, fmt::join(scene_endings(), ", ")));
+    } else if (context.files.enter(context.path, named_at)) {
+        scene.file = context.path;
+        format->read(context, scene);
+        context.files.leave();
     }
+}
+
+std::optional<scene::Scene> import_scene(const std::string& path, const ImportOptions& options, ImportReport& report,
+                                         Diagnostics& diagnostics) {
     Diagnostics ours;
     SceneFiles files(path, options, ours);
     scene::Scene scene;
-    scene.file = path;
     ImportContext context{path, options, files, report, ours};
-    format->read(context, scene);
+    read_scene(context, {}, scene);
     scene.hash = files.hash();
     scene.inputs = files.inputs();
     const bool failed = ours.has_errors();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lancer/image/image.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/textures.h"
 
 namespace lancer {
 

@@ -22,4 +22,10 @@ struct ImportContext {
 // default cameras and lights by themselves, since they know what their format means by leaving them out.
 using Reader = void (*)(ImportContext& context, scene::Scene& scene);
 
+// Calls the reader for the ending of context.path. Errors are diagnostics at `named_at`, where the file was named.
+void read_scene(ImportContext& context, const SourcePosition& named_at, scene::Scene& scene);
+
+// Our own notation.
+void read_toml(ImportContext& context, scene::Scene& scene);
+
 }  // namespace lancer

@@ -28,6 +28,11 @@ FN Float own_share(IN(WorldRecord) world, Int first, Int entry, Mask mask) {
     return upper - select(is_above(entry, Int(0)), lower, Float(0.0f));
 }
 
+// From a number that fell into a share to one that is uniform in [0, 1) again.
+FN Float rest_of(Float u, Float upper, Float share) {
+    return min(clamp01((u - (upper - share)) / max(share, Float(SMALLEST))), Float(0.99999994f));
+}
+
 NAMESPACE_END
 
 #endif

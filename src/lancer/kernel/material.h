@@ -229,7 +229,7 @@ FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Float width
             vertex.emitter = select(mine, emitters, vertex.emitter);
         } else {
             s = textured_surface(world, object, material.flags, ray, hit, width, mine);
-            vertex.emitter = select(mine, Int(object.emitter), vertex.emitter);
+            vertex.emitter = select(mine, object.emitter < -1 ? Int(-2 - object.emitter) + hit.part : Int(object.emitter), vertex.emitter);
         }
         Mask inside = dot(s.normal, ray.direction) > Float(0.0f);
         vertex.point.position = select(mine, s.position, vertex.point.position);

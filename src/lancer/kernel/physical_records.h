@@ -2,6 +2,7 @@
 #ifndef LANCER_KERNEL_PHYSICAL_RECORDS_H
 #define LANCER_KERNEL_PHYSICAL_RECORDS_H
 
+#include "lancer/kernel/affine_record.h"
 #include "lancer/kernel/language.h"
 
 RECORDS_BEGIN
@@ -155,11 +156,15 @@ const int EMITTER_POINT = 0;
 const int EMITTER_SPOT = 1;
 const int EMITTER_DIRECTIONAL = 2;
 const int EMITTER_ENVIRONMENT = 3;
-const int EMITTER_SPHERE = 4;    // spheres[index]
-const int EMITTER_TRIANGLE = 5;  // triangles[index]
-const int EMITTER_MESH = 6;      // instances[index]
-const int EMITTER_PLACED = 7;    // placed[index]
-const int EMITTER_KINDS = 8;
+const int EMITTER_SPHERE = 4;     // spheres[index]
+const int EMITTER_TRIANGLE = 5;   // triangles[index]
+const int EMITTER_MESH = 6;       // instances[index]
+const int EMITTER_PLACED = 7;     // placed[index]
+const int EMITTER_PROJECTOR = 8;  // these have no size and throw a picture, see emitter/thrown.h
+const int EMITTER_GONIOMETRIC = 9;
+const int EMITTER_IES = 10;
+const int EMITTER_MESH_TRIANGLE = 11;  // triangle `first_share` of instances[index]
+const int EMITTER_KINDS = 12;
 
 struct EmitterRecord {
     int kind;
@@ -183,13 +188,37 @@ struct EmitterRecord {
     int planar;  // all of it lies in one plane; `direction` is its normal
     int textured;
     int first_density;  // textured meshes: into distributions, density per square metre on each triangle
+    vec3 across;        // of thrown pictures: to the right, up (length 1; of projectors over the tangent of half the field of view)
+    vec3 upwards;
+    int columns;  // of their cells to draw from; first_share, share_count: cumulative shares of rows from below, then of each row's cells
+    int even;     // projectors: as bright everywhere on a screen
+    int profile;  // IES: into distributions: how many vertical angles, how many horizontal ones, the angles in half and in full turns, the intensities
 };
+
+// A node of the tree of near emitters: a sphere around them, and the directions in which they send light [Conty Estevez and Kulla 2018]. Twelve numbers
+// side by side in light_nodes; a node's two children stand one after the other.
+const int NODE_MIDDLE = 0;    // three numbers; world space
+const int NODE_RADIUS = 3;    // of the sphere, metres
+const int NODE_AXIS = 4;      // three numbers, length 1
+const int NODE_SPREAD = 7;    // cosine of the largest angle between the axis and an emitter's own axis
+const int NODE_REACH = 8;     // cosine of how far beyond light goes
+const int NODE_POWER = 9;     // sum of EmitterRecord::strength
+const int NODE_CHILD = 10;    // the first child; of leaves -1 - emitter
+const int NODE_TWOFOLD = 11;  // 1: the same to the axis's other side
+const int NODE_SIZE = 12;
 
 const int SKY_NONE = 0;
 const int SKY_EVEN = 1;      // `horizon` everywhere
 const int SKY_GRADIENT = 2;  // from below to above
 const int SKY_IMAGE = 3;
-const int SKY_KINDS = 4;
+const int SKY_MODEL = 4;  // computed spectra, and the sun; as RGB and to be drawn from it is an image, too
+const int SKY_KINDS = 5;
+
+// Of a computed sky: radiance at so many azimuths from the sun, of each at so many elevations, of each at so many wavelengths; see emitter/sky_model.h.
+const int MODEL_AZIMUTHS = 33;
+const int MODEL_ELEVATIONS = 49;
+const int MODEL_WAVELENGTHS = 25;
+const float MODEL_STEP = 20.0f;  // nanometres, from 360 on
 
 // Where no object is. An image is `scale` times sky_texels, `height` rows of `width`, under the illuminant of `horizon`.
 struct SkyRecord {
@@ -209,6 +238,11 @@ struct SkyRecord {
     float shift;    // and this
     float scale;
     int first_share;  // into distributions: `height` cumulative shares of rows; for each row, `width` of its texels
+    int model;        // SKY_MODEL: into distributions, shares of the sun's light outside the air; `horizon` is that light times `scale`
+    vec3 sun;         // the direction towards it, length 1
+    float sun_chord;  // the square of the distance between its middle and its border on the unit sphere; 0: no sun
+    float sun_share;  // the chance that directions are drawn from it
+    ColorRecord sun_light;  // its radiance
 };
 
 // How often a path is scattered at most, by what the surface does; `limited` 0: as often as it likes. Passing through a surface is transmission;
@@ -248,8 +282,8 @@ RECORDS_END
 
 #ifdef __cplusplus
 namespace lancer::kernel {
-static_assert(sizeof(ColorRecord) == 40 && sizeof(InputRecord) == 20 && sizeof(MaterialRecord) == 328 && sizeof(EmitterRecord) == 144 &&
-              sizeof(SkyRecord) == 196 && sizeof(VolumeRecord) == 152 && sizeof(GridRecord) == 88);
+static_assert(sizeof(ColorRecord) == 40 && sizeof(InputRecord) == 20 && sizeof(MaterialRecord) == 328 && sizeof(EmitterRecord) == 180 &&
+              sizeof(SkyRecord) == 260 && sizeof(VolumeRecord) == 152 && sizeof(GridRecord) == 88);
 }  // namespace lancer::kernel
 #endif
 

@@ -3,6 +3,7 @@
 #ifndef LANCER_KERNEL_RECORDS_H
 #define LANCER_KERNEL_RECORDS_H
 
+#include "lancer/kernel/affine_record.h"
 #include "lancer/kernel/language.h"
 
 RECORDS_BEGIN
@@ -27,14 +28,6 @@ struct SphereRecord {
 struct BoxRecord {
     vec3 low;
     vec3 high;
-};
-
-// An affine map by its rows: (x, y, z) -> row_i . (x, y, z) + shift_i.
-struct AffineRecord {
-    vec3 row_x;
-    vec3 row_y;
-    vec3 row_z;
-    vec3 shift;
 };
 
 // Points p with dot(p, normal) = offset; normals have length 1. Textures live in the author's space.
@@ -89,7 +82,7 @@ struct ObjectRecord {
     int mesh;      // OBJECT_TRIANGLE: the mesh it comes from, and its number there in `sub`; else 0
     int instance;  // OBJECT_TRIANGLE: the instance it comes from
     int sub;
-    int emitter;  // -1: gives no light
+    int emitter;  // -1: gives no light; below -1: of a mesh whose first triangle is the emitter -2 - this, the second the one after it, ...
 };
 
 // ---- Materials ------------------------------------------------------------------------------------------------------------------
@@ -269,6 +262,8 @@ struct WorldRecord {
     GridTable grids;
     FloatTable voxels;
     EmitterTable emitters;
+    FloatTable light_nodes;           // see NODE_MIDDLE
+    IntTable light_ways;              // of each emitter: its way down the tree, a bit a node from the lowest; -1: it is not there
     FloatTable distributions;         // cumulative shares, see EmitterRecord
     FloatTable curves;                // WAVELENGTH_COUNT values each
     FloatTable upsampling;            // from RGB to smooth spectra, see upsample.h
@@ -296,10 +291,11 @@ struct WorldRecord {
     int instance_count;
     int light_count;
     int emitter_count;
-    int chosen_by_strength;  // 1: too many emitters to look at each; chosen by `strength` alone
-    int environment;         // the emitter that is the sky, -1: none
-    int first_emission;      // into distributions: cumulative shares of the emitters' power
-    vec3 scene_middle;       // of a sphere around all that is not infinite
+    int far_count;       // emitters of the tree come after those that are infinitely far
+    int has_tree;        // 0: so few emitters that each is looked at
+    int environment;     // the emitter that is the sky, -1: none
+    int first_emission;  // into distributions: cumulative shares of the emitters' power
+    vec3 scene_middle;   // of a sphere around all that is not infinite
     float scene_radius;
     int spectral;   // 0: linear RGB
     int watched;    // 1: a path's steps tell what they meet

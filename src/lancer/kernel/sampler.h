@@ -114,11 +114,12 @@ FN Vec2 sample_pair(IN(Sampler) start, UInt decision) {
 // One number for a decision, uniform in [0, 1), of which the path uses those a quarter, a half and three quarters away, too: so they are put on a
 // lattice within a quarter, evenly spaced for any power of two of samples, that all of a pixel's samples shift alike. What is smooth and goes
 // round, as the light over a path's wavelengths does, it sums up with far less error than scattered points [Cranley and Patterson 1976]. Which of
-// the four quarters comes first goes through all of them in each four samples, and in each sixteen at all places of the quarter.
+// the four quarters comes first is told by Sobol's second coordinate: each four samples begin in all quarters, and together with the place within
+// the quarter it fills [0, 1) evenly, for paths that keep their first wavelength only.
 FN Float quartered_number(IN(Sampler) start, UInt sample_number, UInt decision) {
     UInt shift = scramble(start.key + decision);
     Float within = unit_interval(start.reversed + shift);
-    UInt quarter = (sample_number + (sample_number >> 2) + scramble(shift)) & UInt(3u);
+    UInt quarter = (sobol_second(sample_number) ^ scramble(shift)) & UInt(3u);
     return min((within + to_float(as_signed(quarter))) * Float(0.25f), Float(0.99999994f));
 }
 

@@ -152,14 +152,19 @@ private:
             if (next >= left_.size()) {
                 break;
             }
-            const std::uint64_t samples_before = counts.camera;
+            const std::uint64_t rays_before = counts.camera;
+            const std::int64_t done = done_before(left_[next]);
             const RoundOutcome outcome = sampler->render_round(state_, left_[next], counts, cancel_);
             if (outcome == RoundOutcome::cancelled) {
                 break;
             }
             unfinished_[next] = outcome == RoundOutcome::unfinished ? 1 : 0;
-            if (counts.camera > samples_before) {
-                tell(left_[next], counts.camera - samples_before, sampler->expected_samples());
+            // Of paths the samples count, and not the rays: those that start at lamps reach the camera by many.
+            if (options_.spp > 0) {
+                const std::int64_t more = done_before(left_[next]) - done;
+                tell(left_[next], more, static_cast<std::uint64_t>(more), sampler->expected_samples());
+            } else if (counts.camera > rays_before) {
+                tell(left_[next], area(state_.tiles()[left_[next]]), counts.camera - rays_before, 0.0);
             }
         }
         const std::scoped_lock lock(mutex_);
@@ -180,9 +185,9 @@ private:
         return std::make_unique<UniformSampler>(device_, *patterns_);
     }
 
-    void tell(std::size_t tile, std::uint64_t samples, double expected) {
+    void tell(std::size_t tile, std::int64_t pixels, std::uint64_t samples, double expected) {
         const std::scoped_lock lock(mutex_);
-        progress_.pixels_done += options_.spp > 0 ? static_cast<std::int64_t>(samples) : area(state_.tiles()[tile]);
+        progress_.pixels_done += pixels;
         progress_.samples_done += samples;
         if (expected > 0.0) {
             foresee(tile, expected);

@@ -12,7 +12,8 @@ constexpr double shiny = 0.15;  // roughness
 
 bool is_physical_scene(const Scene& scene) {
     return std::any_of(scene.materials.begin(), scene.materials.end(), is_physical) ||
-           std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.power.has_value(); });
+           std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.power.has_value(); }) ||
+           scene.background.sky.has_value();
 }
 
 bool is_shiny(const Value& roughness) { return !roughness.texture && roughness.number < shiny; }

@@ -317,8 +317,8 @@ bool is_far_away(RTCScene scene) {
     RTCBounds b{};
     rtcGetSceneBounds(scene, &b);
     const float size = std::max({b.upper_x - b.lower_x, b.upper_y - b.lower_y, b.upper_z - b.lower_z});
-    const float farthest = std::max({std::abs(b.lower_x), std::abs(b.lower_y), std::abs(b.lower_z), std::abs(b.upper_x), std::abs(b.upper_y),
-                                     std::abs(b.upper_z)});
+    const float farthest = std::max(
+        {std::abs(b.lower_x), std::abs(b.lower_y), std::abs(b.lower_z), std::abs(b.upper_x), std::abs(b.upper_y), std::abs(b.upper_z)});
     return farthest > 16.0f * size;
 }
 

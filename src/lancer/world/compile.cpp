@@ -103,6 +103,20 @@ void compile_physics(const scene::Scene& scene, World& world) {
     }
 }
 
+// All pictures at once: the materials are compiled twice, the first time for no more than what they ask for.
+void read_pictures(const scene::Scene& scene, bool physical, Textures& textures) {
+    World scratch;
+    Diagnostics said_later;
+    Textures probe(scratch, said_later);
+    probe.only_note();
+    Colors colors(scratch);
+    compile_materials(scene, scratch, probe, colors, said_later);
+    if (physical) {
+        compile_surfaces(scene, scratch, probe, colors, said_later);
+    }
+    textures.read_ahead(probe);
+}
+
 }  // namespace
 
 std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scene::Camera& camera, Diagnostics& diagnostics) {
@@ -131,6 +145,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
         return nullptr;
     }
     Textures textures(*world, diagnostics);
+    read_pictures(scene, physical, textures);
     Colors colors(*world);
     compile_materials(scene, *world, textures, colors, diagnostics);
     if (physical) {
@@ -144,7 +159,7 @@ std::shared_ptr<const World> compile_world(const scene::Scene& scene, const scen
     compile_sky(scene.background, *world, colors, diagnostics);
     compile_shapes(flat, *world, diagnostics);
     if (physical && !diagnostics.has_errors()) {
-        compile_emitters(scene, *world, colors, diagnostics);
+        compile_emitters(scene, *world, textures, colors, diagnostics);
         compile_emission(*world);
         compile_wavelengths(*world);
         if (world->has_media) {

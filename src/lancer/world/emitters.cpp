@@ -1,6 +1,7 @@
 #include "lancer/world/emitters.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -11,20 +12,27 @@
 
 #include "lancer/kernel/emitter/emitter.h"
 #include "lancer/kernel/sampler.h"
+#include "lancer/world/light_tree.h"
 #include "lancer/world/lights.h"
 #include "lancer/world/sky.h"
+#include "lancer/world/thrown.h"
 
 namespace lancer {
 
 namespace {
 
-// With more emitters than this, looking at each for every choice costs more than choosing better gains.
+// With more emitters than this, going down a tree costs less than looking at each. See docs/performance.md.
 constexpr std::size_t few_emitters = 32;
 
 // Of lamps with a texture: points at which it is looked up to weigh the lamp, or one of its triangles; and what is left for what they miss.
 constexpr int points_a_lamp = 256;
 constexpr int points_a_triangle = 8;
 constexpr double unseen_light = 0.02;
+
+// Of meshes: how many triangles may be emitters of their own, all together; and of what share of a sphere around the mesh its area is so small that
+// they are.
+constexpr int most_parts = 1 << 18;
+constexpr double spread_out = 0.15;
 
 // Point i of n, spread over the unit square [Hammersley 1960].
 kernel::Vec2 spread(int i, int n) {
@@ -42,8 +50,8 @@ glm::dvec3 apply(const kernel::AffineRecord& map, const glm::dvec3& p) {
 
 class Emitters {
 public:
-    Emitters(const scene::Scene& scene, World& world, Colors& colors, Diagnostics& diagnostics)
-        : scene_(scene), world_(world), colors_(colors), diagnostics_(diagnostics) {}
+    Emitters(const scene::Scene& scene, World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics)
+        : scene_(scene), world_(world), textures_(textures), colors_(colors), diagnostics_(diagnostics) {}
 
     void add_light(const scene::Light& light) {
         if (!light.power) {
@@ -63,9 +71,18 @@ public:
             const SpotCone cone = spot_cone(*spot);
             record.cos_outer = cone.cos_outer;
             record.cos_inner = cone.cos_inner;
+            if (spot->image) {
+                compile_thrown(*spot, *light.power, world_, textures_, colors_, record);
+            }
         } else if (const auto* sun = std::get_if<scene::DirectionalLight>(&light.model)) {
             record.kind = kernel::EMITTER_DIRECTIONAL;
             record.direction = kernel::vec3(glm::normalize(sun->direction));
+        } else if (const auto* projector = std::get_if<scene::ProjectorLight>(&light.model)) {
+            compile_thrown(*projector, *light.power, world_, textures_, colors_, record);
+        } else if (const auto* lamp = std::get_if<scene::GoniometricLight>(&light.model)) {
+            compile_thrown(*lamp, *light.power, world_, textures_, colors_, record);
+        } else if (const auto* measured = std::get_if<scene::IesLight>(&light.model)) {
+            compile_thrown(*measured, *light.power, world_, colors_, record);
         }
         record.middle = record.position;
         world_.emitters.push_back(record);
@@ -104,6 +121,9 @@ public:
             record.material = object.material;
             record.two_sided = (material.flags & kernel::MATERIAL_EMITS_BEHIND) != 0 ? 1 : 0;
             record.textured = material.emission.texture >= 0 ? 1 : 0;
+            if (object.kind == kernel::OBJECT_MESH && add_parts(object, record)) {
+                continue;
+            }
             const double seen_area = place(object, record);
             if (!(seen_area > 0.0)) {
                 continue;
@@ -117,29 +137,12 @@ public:
         }
     }
 
-    // Cumulative shares by strength for the choice among many.
-    void finish() {
-        if (world_.emitters.size() <= few_emitters) {
-            return;
+    // `far_count`: of those that were added first.
+    void finish(std::size_t far_count) {
+        world_.far_count = static_cast<int>(far_count);
+        if (world_.emitters.size() > few_emitters) {
+            compile_light_tree(world_);
         }
-        world_.chosen_by_strength = true;
-        double sum = 0.0;
-        for (const kernel::EmitterRecord& emitter : world_.emitters) {
-            sum += weight(emitter);
-        }
-        std::vector<float> shares;
-        double so_far = 0.0;
-        for (const kernel::EmitterRecord& emitter : world_.emitters) {
-            so_far += weight(emitter);
-            shares.push_back(static_cast<float>(so_far / sum));
-        }
-        shares.back() = 1.0f;
-        for (kernel::EmitterRecord& emitter : world_.emitters) {
-            emitter.first_share += static_cast<int>(shares.size());
-            emitter.first_density += static_cast<int>(shares.size());
-        }
-        world_.sky.first_share += static_cast<int>(shares.size());
-        world_.distributions.insert(world_.distributions.begin(), shares.begin(), shares.end());
     }
 
 private:
@@ -150,12 +153,6 @@ private:
         record.material = -1;
         record.direction = kernel::vec3(0.0f, -1.0f, 0.0f);
         return record;
-    }
-
-    // Far lights make the same irradiance everywhere; near ones are compared at the distance of their own size, at least.
-    static double weight(const kernel::EmitterRecord& emitter) {
-        const double distance = std::max(1.0, static_cast<double>(emitter.radius));
-        return std::max(static_cast<double>(emitter.strength) / (distance * distance), 1e-30);
     }
 
     // Where the lamp is and how large; returns the area that one sees of it, roughly, in the world.
@@ -184,37 +181,93 @@ private:
     }
 
     double place_triangle(const kernel::ObjectRecord& object, const kernel::TriangleRecord& t, kernel::EmitterRecord& record) {
-        const glm::dvec3 a(t.a), b(t.b), c(t.c);
+        record.kind = kernel::EMITTER_TRIANGLE;
+        const bool flips = world_.instances[static_cast<std::size_t>(object.instance)].flips != 0;
+        return place_corners(glm::dvec3(t.a), glm::dvec3(t.b), glm::dvec3(t.c), flips, record);
+    }
+
+    static double place_corners(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, bool flips, kernel::EmitterRecord& record) {
         const glm::dvec3 across = glm::cross(b - a, c - a);
         const double area = 0.5 * glm::length(across);
-        record.kind = kernel::EMITTER_TRIANGLE;
         record.planar = 1;
         record.area = static_cast<float>(area);
-        const bool flips = world_.instances[static_cast<std::size_t>(object.instance)].flips != 0;
-        record.direction = area > 0.0 ? kernel::vec3(glm::normalize(flips ? -across : across)) : kernel::vec3(0.0f);
+        record.direction = area > 0.0 ? kernel::vec3(glm::normalize(flips ? -across : across)) : kernel::vec3(0.0f, 1.0f, 0.0f);
         const glm::dvec3 middle = (a + b + c) / 3.0;
         record.middle = kernel::vec3(middle);
         record.radius = static_cast<float>(std::max({glm::length(a - middle), glm::length(b - middle), glm::length(c - middle)}));
         return area;
     }
 
-    double place_mesh(const kernel::InstanceRecord& instance, kernel::EmitterRecord& record) {
+    struct MeshParts {
+        std::vector<std::array<glm::dvec3, 3>> corners;  // of each triangle, in world space
+        std::vector<double> areas;
+        glm::dvec3 low{1e300}, high{-1e300};
+
+        double radius() const { return 0.5 * glm::length(high - low); }
+    };
+
+    MeshParts parts_of(const kernel::InstanceRecord& instance) const {
         const kernel::MeshRecord& mesh = world_.meshes[static_cast<std::size_t>(instance.mesh)];
+        MeshParts parts;
+        for (int i = 0; i < mesh.triangle_count; ++i) {
+            std::array<glm::dvec3, 3> corner;
+            for (std::size_t j = 0; j < 3; ++j) {
+                const int vertex = world_.indices[static_cast<std::size_t>(3 * (mesh.first_triangle + i)) + j] + mesh.first_vertex;
+                corner[j] = apply(instance.to_world, glm::dvec3(world_.positions[static_cast<std::size_t>(vertex)]));
+                parts.low = glm::min(parts.low, corner[j]);
+                parts.high = glm::max(parts.high, corner[j]);
+            }
+            parts.corners.push_back(corner);
+            parts.areas.push_back(0.5 * glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0])));
+        }
+        return parts;
+    }
+
+    // Each triangle as an emitter of its own, where that pays: of a mesh that is spread out, so that from most places some of it is much nearer, or
+    // turned otherwise, than the rest. A compact one is better drawn from as a whole.
+    bool add_parts(kernel::ObjectRecord& object, const kernel::EmitterRecord& whole) {
+        const kernel::InstanceRecord& instance = world_.instances[static_cast<std::size_t>(object.index)];
+        const int count = world_.meshes[static_cast<std::size_t>(instance.mesh)].triangle_count;
+        if (count > most_parts - parts_) {
+            return false;
+        }
+        const MeshParts parts = parts_of(instance);
+        const double area = std::accumulate(parts.areas.begin(), parts.areas.end(), 0.0);
+        if (!(area > 0.0) || area > spread_out * 4.0 * std::numbers::pi * parts.radius() * parts.radius()) {
+            return false;
+        }
+        parts_ += count;
+        object.emitter = -2 - static_cast<int>(world_.emitters.size());
+        const kernel::ColorRecord& emission = world_.surfaces[static_cast<std::size_t>(whole.material)].emission;
+        for (std::size_t i = 0; i < parts.areas.size(); ++i) {
+            kernel::EmitterRecord record = whole;
+            const auto& [a, b, c] = parts.corners[i];
+            record.kind = kernel::EMITTER_MESH_TRIANGLE;
+            record.first_share = static_cast<int>(i);
+            place_corners(a, b, c, instance.flips != 0, record);
+            double radiance = brightness(emission.rgb);
+            if (whole.textured != 0) {
+                radiance = 0.0;
+                for (int j = 0; j < points_a_triangle; ++j) {
+                    const kernel::Vec2 on = kernel::on_triangle(spread(j, points_a_triangle));
+                    const kernel::WorldRecord world = world_.record();
+                    radiance += texture_at(kernel::mesh_surface(world, record.index, static_cast<int>(i), on.x, on.y, true), record) /
+                                points_a_triangle;
+                }
+                radiance = std::max(radiance, unseen_light * static_cast<double>(emission.scale));
+            }
+            record.strength = static_cast<float>(radiance * parts.areas[i]);
+            world_.emitters.push_back(record);
+        }
+        return true;
+    }
+
+    double place_mesh(const kernel::InstanceRecord& instance, kernel::EmitterRecord& record) {
+        const MeshParts parts = parts_of(instance);
+        const std::vector<double>& areas = parts.areas;
         record.kind = kernel::EMITTER_MESH;
         record.first_share = static_cast<int>(world_.distributions.size());
-        record.share_count = mesh.triangle_count;
-        std::vector<double> areas;
-        glm::dvec3 low(1e300), high(-1e300);
-        for (int i = 0; i < mesh.triangle_count; ++i) {
-            glm::dvec3 corner[3];
-            for (int j = 0; j < 3; ++j) {
-                const int vertex = world_.indices[static_cast<std::size_t>(3 * (mesh.first_triangle + i) + j)] + mesh.first_vertex;
-                corner[j] = apply(instance.to_world, glm::dvec3(world_.positions[static_cast<std::size_t>(vertex)]));
-                low = glm::min(low, corner[j]);
-                high = glm::max(high, corner[j]);
-            }
-            areas.push_back(0.5 * glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0])));
-        }
+        record.share_count = static_cast<int>(areas.size());
         const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
         if (record.textured == 0) {
             add_shares(areas);
@@ -222,8 +275,8 @@ private:
             mesh_light_ = add_textured_shares(areas, record);
         }
         record.area = static_cast<float>(sum);
-        record.middle = kernel::vec3((low + high) * 0.5);
-        record.radius = static_cast<float>(0.5 * glm::length(high - low));
+        record.middle = kernel::vec3((parts.low + parts.high) * 0.5);
+        record.radius = static_cast<float>(parts.radius());
         return sum * 0.5;
     }
 
@@ -328,21 +381,30 @@ private:
 
     const scene::Scene& scene_;
     World& world_;
+    Textures& textures_;
     Colors& colors_;
     Diagnostics& diagnostics_;
+    int parts_ = 0;            // triangles that are emitters of their own
     double mesh_light_ = 0.0;  // mean luminance of the texture of the mesh that was placed last
 };
 
 }  // namespace
 
-void compile_emitters(const scene::Scene& scene, World& world, Colors& colors, Diagnostics& diagnostics) {
-    Emitters emitters(scene, world, colors, diagnostics);
-    for (const scene::Light& light : scene.lights) {
-        emitters.add_light(light);
-    }
+void compile_emitters(const scene::Scene& scene, World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics) {
+    Emitters emitters(scene, world, textures, colors, diagnostics);
+    const auto add_lights = [&](bool far) {
+        for (const scene::Light& light : scene.lights) {
+            if (std::holds_alternative<scene::DirectionalLight>(light.model) == far) {
+                emitters.add_light(light);
+            }
+        }
+    };
+    add_lights(true);
     emitters.add_sky();
+    const std::size_t far_count = world.emitters.size();
+    add_lights(false);
     emitters.add_objects();
-    emitters.finish();
+    emitters.finish(far_count);
 }
 
 }  // namespace lancer

@@ -10,6 +10,6 @@ namespace lancer {
 
 // Fills world.emitters, distributions and the surroundings, and says in world.objects which are lamps. Surfaces and shapes must have been
 // compiled.
-void compile_emitters(const scene::Scene& scene, World& world, Colors& colors, Diagnostics& diagnostics);
+void compile_emitters(const scene::Scene& scene, World& world, Textures& textures, Colors& colors, Diagnostics& diagnostics);
 
 }  // namespace lancer

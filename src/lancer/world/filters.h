@@ -1,7 +1,7 @@
 // Pixel filters as tables to draw from.
 #pragma once
 
-#include "lancer/scene/scene.h"
+#include "lancer/scene/render_settings.h"
 #include "lancer/world/world.h"
 
 namespace lancer {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lancer/base/diagnostic.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/media.h"
 #include "lancer/world/world.h"
 
 namespace lancer {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lancer/kernel/records.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/lights.h"
 
 namespace lancer {
 

@@ -11,6 +11,7 @@
 #include "lancer/base/failure.h"
 #include "lancer/image/image.h"
 #include "lancer/kernel/color.h"
+#include "lancer/world/clear_sky.h"
 #include "lancer/world/spectra.h"
 
 namespace lancer {
@@ -99,6 +100,10 @@ void compile_sky(const scene::Background& background, World& world, Colors& colo
         sky.horizon = colors.light(scene::Rgb(1.0));
         return;
     }
+    if (background.sky) {
+        compile_clear_sky(*background.sky, background.strength, world, colors);
+        return;
+    }
     const scene::Rgb zenith = emitted(background.zenith), horizon = emitted(background.horizon), nadir = emitted(background.nadir);
     const scene::Rgb most = glm::max(glm::max(zenith, horizon), nadir) * background.strength;
     if (!(std::max({most.x, most.y, most.z}) > 0.0)) {
@@ -117,7 +122,7 @@ SkyLight compile_sky_shares(World& world, bool compensated) {
     if (sky.kind == kernel::SKY_NONE) {
         return {};
     }
-    if (sky.kind != kernel::SKY_IMAGE) {
+    if (sky.kind != kernel::SKY_IMAGE && sky.kind != kernel::SKY_MODEL) {
         const double zenith = luminance(sky.zenith.rgb), horizon = luminance(sky.horizon.rgb), nadir = luminance(sky.nadir.rgb);
         const double mean = 0.25 * (zenith + 2.0 * horizon + nadir);
         // Gradients are drawn from evenly: no better than by the materials, unless these rarely look where it is bright.
@@ -156,7 +161,9 @@ SkyLight compile_sky_shares(World& world, bool compensated) {
         share_out(0.0);
     }
     const double scale = static_cast<double>(sky.scale);
-    return {mean * scale, asked * scale};
+    const double sun = 0.25 * luminance(sky.sun_light.rgb) * static_cast<double>(sky.sun_chord);  // over all directions
+    sky.sun_share = static_cast<float>(sun > 0.0 ? std::clamp(sun / (asked * scale + sun), 0.1, 0.9) : 0.0);
+    return {mean * scale + sun, asked * scale + sun};
 }
 
 }  // namespace lancer

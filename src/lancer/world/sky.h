@@ -2,13 +2,13 @@
 #pragma once
 
 #include "lancer/base/diagnostic.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/lights.h"
 #include "lancer/world/surfaces.h"
 #include "lancer/world/world.h"
 
 namespace lancer {
 
-// Fills world.sky, and reads its image into world.sky_texels.
+// Fills world.sky, and reads or computes its image into world.sky_texels.
 void compile_sky(const scene::Background& background, World& world, Colors& colors, Diagnostics& diagnostics);
 
 // Mean luminances over all directions.

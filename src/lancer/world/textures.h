@@ -1,12 +1,16 @@
 // Textures as records, and the images behind them.
 #pragma once
 
+#include <exception>
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "lancer/base/diagnostic.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/color.h"
+#include "lancer/scene/textures.h"
 #include "lancer/world/world.h"
 
 namespace lancer {
@@ -23,6 +27,11 @@ public:
 
     CompiledTexture add(const scene::Texture& texture);
 
+    // Reads the pictures that `probe` was asked for, several at a time, so that `add` finds them ready.
+    void read_ahead(const Textures& probe);
+    // From now on, pictures are only noted down, and none is read.
+    void only_note() { notes_ = true; }
+
 private:
     // A picture in the tables.
     struct Texels {
@@ -31,6 +40,20 @@ private:
         int first_level = 0;
         int level_count = 0;
     };
+    using Name = std::tuple<std::string, bool, bool>;  // the file, whether its colours are linear, and whether it has smaller copies
+    struct Wanted {
+        Name name;
+        const scene::ImageTexture* image;
+    };
+    // A picture in tables of its own.
+    struct Read {
+        std::unique_ptr<World> tables;
+        Texels texels;
+        std::exception_ptr problem;
+    };
+
+    static Read read(const scene::ImageTexture& image);
+    void append(const World& tables, const Texels& texels);
 
     Texels load(const scene::ImageTexture& image);
     CompiledTexture compile(const scene::Color& color);
@@ -41,8 +64,10 @@ private:
 
     World& world_;
     Diagnostics& diagnostics_;
-    std::map<std::tuple<std::string, bool, bool>, Texels>
-        images_;  // by file, whether its colours are linear, and whether it has smaller copies
+    std::map<Name, Texels> images_;
+    std::map<Name, Read> ready_;
+    std::vector<Wanted> wanted_;
+    bool notes_ = false;
 };
 
 }  // namespace lancer

@@ -46,6 +46,8 @@ kernel::WorldRecord World::record() const {
     r.grids = grids.data();
     r.voxels = voxels.data();
     r.emitters = emitters.data();
+    r.light_nodes = light_nodes.data();
+    r.light_ways = light_ways.data();
     r.distributions = distributions.data();
     r.curves = curves.data();
     r.upsampling = upsampling_table().data();
@@ -74,7 +76,8 @@ kernel::WorldRecord World::record() const {
     r.light_count = static_cast<int>(lights.size());
     r.band_count = static_cast<int>(bands.size());
     r.emitter_count = static_cast<int>(emitters.size());
-    r.chosen_by_strength = chosen_by_strength ? 1 : 0;
+    r.far_count = far_count;
+    r.has_tree = light_nodes.empty() ? 0 : 1;
     r.environment = environment;
     r.first_emission = first_emission;
     r.scene_middle = scene_middle;
@@ -111,7 +114,8 @@ std::size_t World::memory() const {
            bytes(objects) + bytes(positions) + bytes(normals) + bytes(uvs) + bytes(indices) + bytes(textures) + bytes(texels) +
            bytes(float_texels) + bytes(sky_texels) + bytes(second_uvs) + bytes(tangents) + bytes(colors) + bytes(face_colors) +
            bytes(levels) + bytes(inputs) + bytes(materials) + bytes(media) + bytes(surfaces) + bytes(emitters) + bytes(distributions) +
-           bytes(curves) + bytes(observer) + bytes(lights) + bytes(bands) + bytes(volumes) + bytes(grids) + bytes(voxels);
+           bytes(light_nodes) + bytes(light_ways) + bytes(curves) + bytes(observer) + bytes(lights) + bytes(bands) + bytes(volumes) +
+           bytes(grids) + bytes(voxels);
 }
 
 namespace {

@@ -50,6 +50,8 @@ public:
     std::vector<kernel::GridRecord> grids;
     std::vector<float> voxels;
     std::vector<kernel::EmitterRecord> emitters;
+    std::vector<float> light_nodes;  // none where emitters are few
+    std::vector<int> light_ways;
     std::vector<float> distributions;
     std::vector<float> curves;
     std::vector<float> filter_places;
@@ -81,7 +83,7 @@ public:
     kernel::SkyRecord sky{};
     kernel::FilterRecord filter{};
     bool spectral = false;
-    bool chosen_by_strength = false;
+    int far_count = 0;  // the first of emitters
     int environment = -1;
     int first_emission = 0;
     kernel::vec3 scene_middle{0.0f};

@@ -114,6 +114,7 @@ int run_command_line(const std::vector<std::string>& words) {
     add_reproduce(program, work);
     add_info(program, work);
     add_import(program, work);
+    add_convert(program, work);
     add_compare(program, work);
     add_movie(program, work);
     add_farm(program, work);

@@ -24,6 +24,7 @@ void add_view(CLI::App& program, Work& work);
 void add_render(CLI::App& program, Work& work);
 void add_info(CLI::App& program, Work& work);
 void add_import(CLI::App& program, Work& work);
+void add_convert(CLI::App& program, Work& work);
 void add_compare(CLI::App& program, Work& work);
 void add_figures(CLI::App& program, Work& work);
 void add_schema(CLI::App& program, Work& work);

@@ -124,7 +124,12 @@ std::string list_units(const FarmJob& job, const std::vector<int>& units) {
 
 void add_farm(CLI::App& program, Work& work) {
     CLI::App* farm = program.add_subcommand("farm", "A picture or a film on many machines: submit, status, cancel");
-    farm->require_subcommand(1);
+    farm->require_subcommand(0, 1);
+    farm->callback([farm, &work] {
+        if (farm->get_subcommands().empty()) {
+            work = [farm] { return refuse("submit, status or cancel? \"lancer farm submit\" begins", *farm); };
+        }
+    });
     farm->footer(
         "Example:\n  lancer farm submit scene.toml --spp 4096 -o out.exr --shards 64 --slurm\n"
         "  lancer farm submit film.gltf --frames 0:240 -o frame.####.exr --slurm\n  lancer farm status out.farm");

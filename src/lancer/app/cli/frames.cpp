@@ -171,7 +171,7 @@ int run_frames(const CLI::App& app, const RenderJob& job) {
     const bool tells = !job.quiet && job.progress != "json";
     const int skipped = all - static_cast<int>(wanted.size());
     if (tells && skipped > 0) {
-        fmt::print("{} of {} {} done already\n", skipped, all, skipped == 1 ? "frame is" : "frames are");
+        fmt::print("{} of {} frames {} done already\n", skipped, all, skipped == 1 ? "is" : "are");
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         RenderJob one = job_of_frame(job, wanted[i]);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -27,7 +28,8 @@ namespace {
 
 constexpr std::array<const char*, std::variant_size_v<scene::Shape>> shape_names = {"sphere",   "box",  "plane", "disk",
                                                                                     "cylinder", "cone", "mesh"};
-constexpr std::array<const char*, 3> light_names = {"point", "spot", "directional"};
+constexpr std::array<const char*, std::variant_size_v<decltype(scene::Light::model)>> light_names = {
+    "point", "spot", "directional", "projector", "goniometric", "ies"};
 
 // Everything that is seen, each group as often as it is placed.
 struct Count {
@@ -96,7 +98,7 @@ double strength(const scene::Light& light) {
     return (power.x + power.y + power.z) / 3.0;
 }
 
-void print_text(const scene::Scene& scene, const Count& count, const World& world) {
+void print_text(const scene::Scene& scene, const ImportReport& report, const Count& count, const World& world) {
     const scene::RenderSettings& settings = scene.settings;
     const auto row = [](const char* name, const std::string& text) { fmt::print("{:<10} {}\n", name, text); };
     row("scene", scene.file);
@@ -132,11 +134,20 @@ void print_text(const scene::Scene& scene, const Count& count, const World& worl
             fmt::format("{} {} ({:.3g})", light_names[light.model.index()], light.name.empty() ? "light" : light.name, strength(light)));
     }
     row("lights", lights.empty() ? "none" : fmt::format("{}", fmt::join(lights, ", ")));
+    std::vector<std::string> animations;
+    for (const AnimationFacts& animation : report.animations()) {
+        animations.push_back(fmt::format("{} ({:.4g} s, {})", animation.name.empty() ? "unnamed" : animation.name, animation.seconds,
+                                         plural(animation.channels, "channel")));
+    }
+    if (!animations.empty()) {
+        row("animations", fmt::format("{}", fmt::join(animations, ", ")));
+    }
     row("memory", fmt::format("{} of tables", bytes_in_words(world.memory())));
     row("tracing", world.is_small() ? "all objects at once, in SIMD lanes" : "a bounding volume hierarchy");
 }
 
-nlohmann::ordered_json to_json(const scene::Scene& scene, const Count& count, const World& world, const Diagnostics& diagnostics) {
+nlohmann::ordered_json to_json(const scene::Scene& scene, const ImportReport& report, const Count& count, const World& world,
+                               const Diagnostics& diagnostics) {
     nlohmann::ordered_json json = {
         {"scene", scene.file},
         {"hash", scene.hash},
@@ -161,6 +172,10 @@ nlohmann::ordered_json to_json(const scene::Scene& scene, const Count& count, co
     for (const scene::Light& light : scene.lights) {
         json["lights"].push_back({{"name", light.name}, {"type", light_names[light.model.index()]}, {"intensity", strength(light)}});
     }
+    json["animations"] = nlohmann::ordered_json::array();
+    for (const AnimationFacts& animation : report.animations()) {
+        json["animations"].push_back({{"name", animation.name}, {"seconds", animation.seconds}, {"channels", animation.channels}});
+    }
     json["bytes"] = world.memory();
     json["messages"] = nlohmann::ordered_json::array();
     for (const Diagnostic& diagnostic : diagnostics.list()) {
@@ -169,7 +184,8 @@ nlohmann::ordered_json to_json(const scene::Scene& scene, const Count& count, co
     return json;
 }
 
-int show_info(const std::string& path, const ImportOptions& options, bool as_json) {
+int show_info(const std::string& path, ImportOptions options, bool as_json) {
+    options.magenta_textures = true;  // pictures that are missing are told of, and the rest of the scene as well
     Diagnostics diagnostics;
     ImportReport report;
     const std::optional<scene::Scene> scene = import_scene(path, options, report, diagnostics);
@@ -186,9 +202,10 @@ int show_info(const std::string& path, const ImportOptions& options, bool as_jso
     }
     const Count count = count_shapes(*scene);
     if (as_json) {
-        fmt::print("{}\n", to_json(*scene, count, *world, diagnostics).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        fmt::print("{}\n",
+                   to_json(*scene, report, count, *world, diagnostics).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     } else {
-        print_text(*scene, count, *world);
+        print_text(*scene, report, count, *world);
     }
     return exit_done;
 }

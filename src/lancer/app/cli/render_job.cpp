@@ -44,7 +44,8 @@ void print_aovs() {
 // What only EXR files can hold needs one.
 void check_contents(const RenderJob& job, const PictureContents& contents, Diagnostics& diagnostics) {
     const bool has_more = !contents.aovs.empty() || contents.spectral_bins > 0;
-    if (!has_more || std::any_of(job.outputs.begin(), job.outputs.end(), holds_layers)) {
+    if (!has_more ||
+        std::any_of(job.outputs.begin(), job.outputs.end(), [](const std::string& path) { return holds_layers(path) || is_film(path); })) {
         return;
     }
     const std::string sentence = "only EXR files hold AOVs and spectra, and none is written: name one, such as -o picture.exr";
@@ -321,7 +322,7 @@ int run_render_job(const CLI::App& app, RenderJob job, std::optional<Begun> begu
     if (const auto sentence = sort_files(job)) {
         return refuse(*sentence, app);
     }
-    if (job.frames) {
+    if (job.frames || job.fps) {
         return run_frames(app, job);
     }
     return Run(std::move(job), std::move(begun)).run();

@@ -156,6 +156,9 @@ std::optional<Job> prepare_figure(const Figure& figure, const FiguresRequest& re
         return std::nullopt;
     }
     scene->file = figure.scene;  // what stands in the pictures does not depend on the folder
+    for (scene::InputFile& input : scene->inputs) {
+        input.path = fs::path(input.path).lexically_relative(request.folder).generic_string();
+    }
     std::optional<Prepared> prepared = prepare(std::move(*scene), arguments, render_command(figure.scene, arguments), diagnostics);
     if (!prepared) {
         return std::nullopt;

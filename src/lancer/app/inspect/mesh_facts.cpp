@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace lancer::app {
@@ -37,6 +38,11 @@ MeshFacts examine(const scene::TriangleMesh& mesh) {
     std::vector<std::tuple<std::uint32_t, std::uint32_t, bool>> edges;
     edges.reserve(mesh.triangles.size() * 3);
     MeshFacts facts;
+    facts.low = facts.high = mesh.positions.empty() ? glm::vec3(0.0f) : mesh.positions.front();
+    for (const glm::vec3& position : mesh.positions) {
+        facts.low = glm::min(facts.low, position);
+        facts.high = glm::max(facts.high, position);
+    }
     for (const glm::uvec3& triangle : mesh.triangles) {
         const std::array<std::uint32_t, 3> corners = {welded[triangle.x], welded[triangle.y], welded[triangle.z]};
         for (std::size_t i = 0; i < 3; ++i) {

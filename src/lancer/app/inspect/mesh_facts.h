@@ -3,11 +3,13 @@
 
 #include <glm/vec3.hpp>
 
-#include "lancer/scene/scene.h"
+#include "lancer/scene/shapes.h"
 
 namespace lancer::app {
 
 struct MeshFacts {
+    glm::vec3 low{0.0f};  // of a box around it
+    glm::vec3 high{0.0f};
     bool closed = false;  // each edge belongs to two triangles that run along it in opposite directions; vertices at the same place are one
     double volume = 0.0;  // of a closed mesh in its own space, cubic metres; negative where its faces point inwards
 };

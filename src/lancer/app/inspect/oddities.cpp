@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
+#include <type_traits>
+#include <variant>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -132,7 +135,10 @@ private:
             const bool inside = std::visit(
                 [&](const auto& shape) {
                     if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, scene::Mesh>) {
-                        return facts(*shape.data).closed && lies_inside(*shape.data, local);
+                        const MeshFacts& known = facts(*shape.data);
+                        const bool is_near = glm::all(glm::greaterThan(local, glm::dvec3(known.low))) &&
+                                             glm::all(glm::lessThan(local, glm::dvec3(known.high)));
+                        return is_near && known.closed && lies_inside(*shape.data, local);
                     } else {
                         return lies_in(shape, local);
                     }
@@ -145,17 +151,29 @@ private:
         return nullptr;
     }
 
+    // Nothing: it is infinitely far away.
+    static std::optional<glm::dvec3> place_of(const scene::Light& light) {
+        return std::visit(
+            [](const auto& model) -> std::optional<glm::dvec3> {
+                if constexpr (std::is_same_v<std::decay_t<decltype(model)>, scene::DirectionalLight>) {
+                    return std::nullopt;
+                } else {
+                    return model.position;
+                }
+            },
+            light.model);
+    }
+
     void look_at_light(const scene::Light& light) {
         const scene::Rgb power = light.power ? emitted(*light.power) : emitted(light.color) * light.intensity;
         if (!(std::max({power.x, power.y, power.z}) > 0.0)) {
             diagnostics_.warning(light.position, fmt::format("light {} gives no light", said(light.name)));
         }
-        const auto* point = std::get_if<scene::PointLight>(&light.model);
-        const auto* spot = std::get_if<scene::SpotLight>(&light.model);
-        if (point == nullptr && spot == nullptr) {
+        const std::optional<glm::dvec3> place = place_of(light);
+        if (!place) {
             return;
         }
-        const FlatObject* body = body_around(point != nullptr ? point->position : spot->position);
+        const FlatObject* body = body_around(*place);
         // In a room somebody is there to see its light.
         const bool room = std::any_of(scene_.cameras.begin(), scene_.cameras.end(),
                                       [&](const scene::Camera& camera) { return body_around(camera.position) == body; });
@@ -169,8 +187,8 @@ private:
             const FlatObject* body = body_around(camera.position);
             // A room is a body around its cameras: seen from within it is lit.
             const bool room = body != nullptr && std::any_of(scene_.lights.begin(), scene_.lights.end(), [&](const scene::Light& light) {
-                                  const auto* point = std::get_if<scene::PointLight>(&light.model);
-                                  return point != nullptr && body_around(point->position) == body;
+                                  const std::optional<glm::dvec3> place = place_of(light);
+                                  return place && body_around(*place) == body;
                               });
             if (body != nullptr && !room) {
                 diagnostics_.warning(camera.source, fmt::format("camera {} is inside of an opaque body", said(camera.name)));

@@ -1,7 +1,6 @@
 // Compiled once for each instruction set: paths from both ends, as many as a register holds together, each with a path of light of its own.
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <vector>
 
 #include "lancer/device/cpu/follow.h"
@@ -209,7 +208,7 @@ void LANCER_BIDIRECTIONAL(const kernel::WorldRecord& asked, const PathRange& ran
     Store store;
     store.vertices.resize(static_cast<std::size_t>(light_only ? 0 : world.max_depth + 1));
     world.light_vertices = reinterpret_cast<const int*>(&store);
-    std::shared_ptr<const PhotonMap> photons;
+    PhotonsInUse photons(maps);
     int sample_of_photons = -1;
     PhotonField field = photon_field(world, 0);
     MergeWeights merging = no_merging();
@@ -247,8 +246,7 @@ void LANCER_BIDIRECTIONAL(const kernel::WorldRecord& asked, const PathRange& ran
         const int sample_number = range.first_sample + static_cast<int>(sample);
         if (maps != nullptr && sample_number != sample_of_photons) {
             sample_of_photons = sample_number;
-            photons = maps->of_sample(sample_number);
-            store.photons = photons.get();
+            store.photons = photons.of_sample(sample_number);
             field = photon_field(world, sample_number);
             merging = merge_weights(field);
         }

@@ -115,4 +115,16 @@ std::shared_ptr<const PhotonMap> PhotonMaps::of_sample(int sample) {
     return own->map;
 }
 
+PhotonsInUse::PhotonsInUse(PhotonMaps* maps) : maps_(maps) {}
+
+PhotonsInUse::~PhotonsInUse() = default;
+
+const PhotonMap* PhotonsInUse::of_sample(int sample) {
+    if (maps_ != nullptr && sample != sample_) {
+        map_ = maps_->of_sample(sample);
+        sample_ = sample;
+    }
+    return map_.get();
+}
+
 }  // namespace lancer

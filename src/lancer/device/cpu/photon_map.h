@@ -42,6 +42,26 @@ private:
     std::vector<PhotonRecord> photons_;
 };
 
+class PhotonMaps;
+
+// The map that one thread works with. All of it is compiled elsewhere: sources that are compiled for several instruction sets must not share
+// functions.
+class PhotonsInUse {
+public:
+    explicit PhotonsInUse(PhotonMaps* maps);  // null: there are none
+    ~PhotonsInUse();
+    PhotonsInUse(const PhotonsInUse&) = delete;
+    PhotonsInUse& operator=(const PhotonsInUse&) = delete;
+
+    // Stays until the next one is asked for. Null where there are none.
+    const PhotonMap* of_sample(int sample);
+
+private:
+    PhotonMaps* maps_;
+    int sample_ = -1;
+    std::shared_ptr<const PhotonMap> map_;
+};
+
 // Keeps the maps of a few samples. Whoever asks for one that is not there helps to make it.
 class PhotonMaps {
 public:

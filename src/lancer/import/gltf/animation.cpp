@@ -203,6 +203,12 @@ private:
 void animate(Document& document, Accessors& accessors, Nodes& nodes, double seconds) {
     Animator animator(document, accessors, nodes, seconds);
     for (const Json animation : document.items("animations")) {
+        AnimationFacts facts{std::string(animation.text("name")), 0.0, animation["channels"].size()};
+        for (const Json sampler : animation["samplers"]) {
+            const std::vector<double> last = document.item("accessors", sampler, "input").numbers("max");
+            facts.seconds = std::max(facts.seconds, last.empty() ? 0.0 : last.front());
+        }
+        document.animation(std::move(facts));
         animator.run(animation);
     }
 }

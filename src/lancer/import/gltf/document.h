@@ -46,6 +46,7 @@ public:
     void warning(Json at, const std::string& message);
     SourcePosition position(Json at) const;
 
+    void animation(AnimationFacts facts) { report_.animation(std::move(facts)); }
     void honoured(const std::string& feature, Json at) { report_.honoured(feature, position(at)); }
     void approximated(const std::string& feature, const std::string& how, Json at) { report_.approximated(feature, how, position(at)); }
     void dropped(const std::string& feature, const std::string& why, Json at, bool changes_picture = true) {

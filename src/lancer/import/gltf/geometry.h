@@ -8,7 +8,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "lancer/import/gltf/accessors.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/shapes.h"
 
 namespace lancer::gltf {
 

@@ -19,8 +19,8 @@ scene::Rgb color_or(Json json, std::string_view key, const scene::Rgb& otherwise
 
 class MaterialMaker {
 public:
-    MaterialMaker(Document& document, Textures& textures, Json json, bool has_colors, Wishes& wishes)
-        : document_(document), textures_(textures), json_(json), has_colors_(has_colors), wishes_(wishes) {}
+    MaterialMaker(Document& document, Textures& textures, Json json, bool has_colors, Wishes& wishes, std::vector<scene::Material>& all)
+        : document_(document), textures_(textures), json_(json), has_colors_(has_colors), wishes_(wishes), all_(all) {}
 
     scene::Material make() {
         material_.name = json_.text("name");
@@ -33,16 +33,18 @@ public:
             return material_;
         }
         set_relief();
-        set_specular();
         set_layers();
         set_transmission();
+        set_specular();
         set_film();
         set_anisotropy();
         if (const Json occlusion = json_["occlusionTexture"]) {
             document_.dropped("occlusionTexture", "light finds by itself where it does not reach", occlusion, false);
         }
         material_.model = model_;
-        disperse();
+        if (!disperse()) {
+            mix();
+        }
         // A body of glass is met from within; of everything else, the back is not there.
         material_.open_behind = !is_double_sided_ && !(is_clear_ && !model_.thin);
         return material_;
@@ -155,14 +157,28 @@ private:
             const double index = ior.number("ior", 1.5);
             model_.refraction = index >= 1.0 ? index : 1e3;
         }
-        if (const Json specular = extension("KHR_materials_specular")) {
-            const double factor = share(specular, "specularFactor", 1.0);
-            scene::Rgb tint = color_or(specular, "specularColorFactor", scene::Rgb(1.0)) * factor;
-            model_.specular = color(glm::min(tint, 1.0), specular["specularColorTexture"]);
-            if (specular["specularTexture"]) {
-                document_.approximated("specularTexture", "the factor alone says how strong reflections are", specular["specularTexture"]);
-            }
+        const Json specular = extension("KHR_materials_specular");
+        if (!specular) {
+            return;
         }
+        const Json factor = specular["specularTexture"];
+        scene::Rgb tint = color_or(specular, "specularColorFactor", scene::Rgb(1.0));
+        if (factor) {
+            specular_share_ = value(share(specular, "specularFactor", 1.0), factor, scene::Channel::alpha);
+        } else {
+            tint *= share(specular, "specularFactor", 1.0);
+        }
+        // Colours above 1 ask for more than the index gives straight on: for another index, as KHR_materials_specular has it.
+        const double most = std::max({tint.x, tint.y, tint.z});
+        if (most > 1.0 && !is_clear_) {
+            const double amplitude = (model_.refraction - 1.0) / (model_.refraction + 1.0);
+            const double stronger = std::min(std::abs(amplitude) * std::sqrt(most), 0.995);
+            model_.refraction = (1.0 + stronger) / (1.0 - stronger);
+            tint /= most;
+        } else if (most > 1.0) {
+            document_.approximated("specularColorFactor above 1", "1 is used for clear bodies", specular);
+        }
+        model_.specular = color(glm::min(tint, 1.0), specular["specularColorTexture"]);
     }
 
     void set_layers() {
@@ -222,8 +238,43 @@ private:
         }
         model_.film_refraction = std::max(film.number("iridescenceIor", 1.3), 1.0);
         if (strength < 1.0 || film["iridescenceTexture"]) {
-            document_.approximated("iridescenceFactor below 1", "the film covers all of the surface", film);
+            film_share_ = value(strength, film["iridescenceTexture"], scene::Channel::red);
         }
+    }
+
+    // What the layers can't say at each place becomes two surfaces, one here and the other there: reflections are linear in both shares.
+    void mix() {
+        scene::PrincipledMaterial plain = model_;
+        plain.film = 0.0;
+        if (film_share_) {
+            material_.model = mixed(plain, model_, *film_share_);
+        }
+        if (specular_share_) {
+            plain.specular = scene::Rgb(0.0);
+            material_.model = mixed(plain, material_.model, *specular_share_);
+        }
+        if (film_share_ || specular_share_) {
+            material_.relief = {};
+        }
+    }
+
+    using Model = decltype(scene::Material::model);
+
+    scene::MixMaterial mixed(const Model& first, const Model& second, const scene::Value& share) {
+        const int one = part(first);
+        return {one, part(second), share};
+    }
+
+    int part(const Model& model) {
+        scene::Material inner;
+        inner.name = fmt::format("{}, part {}", material_.name.empty() ? "mixed" : material_.name, ++parts_);
+        inner.position = material_.position;
+        inner.model = model;
+        if (!std::holds_alternative<scene::MixMaterial>(model)) {
+            inner.relief = material_.relief;
+        }
+        all_.push_back(std::move(inner));
+        return static_cast<int>(all_.size()) - 1;
     }
 
     void set_anisotropy() {
@@ -239,18 +290,18 @@ private:
         }
     }
 
-    // Only bodies that are clear all over can part the colours.
-    void disperse() {
+    // Only bodies that are clear all over can part the colours. Whether this is one that does.
+    bool disperse() {
         const Json json = extension("KHR_materials_dispersion");
         const double dispersion = json.number("dispersion", 0.0);
         if (!(dispersion > 0.0) || !is_clear_ || model_.thin) {
-            return;
+            return false;
         }
         const bool is_pure = !model_.transmission.texture && model_.transmission.number >= 1.0 && !model_.metalness.texture &&
                              model_.metalness.number == 0.0 && model_.coat.most() == 0.0 && model_.film.most() == 0.0;
         if (!is_pure) {
             document_.approximated("KHR_materials_dispersion", "a surface of several layers does not part the colours", json);
-            return;
+            return false;
         }
         scene::DielectricMaterial glass;
         glass.refraction = scene::AbbeGlass{model_.refraction, 20.0 / dispersion};
@@ -259,6 +310,7 @@ private:
         glass.anisotropy = model_.anisotropy;
         glass.absorption = model_.absorption;
         material_.model = glass;
+        return true;
     }
 
     Document& document_;
@@ -266,16 +318,23 @@ private:
     Json json_;
     bool has_colors_;
     Wishes& wishes_;
+    std::vector<scene::Material>& all_;
     bool is_double_sided_ = false;
     bool is_clear_ = false;
     scene::Material material_;
     scene::PrincipledMaterial model_;
+    std::optional<scene::Value> specular_share_;  // where a texture says how much is reflected
+    std::optional<scene::Value> film_share_;      // where the film does not cover all
+    int parts_ = 0;
 };
 
 }  // namespace
 
-scene::Material make_material(Document& document, Textures& textures, Json material, bool has_colors, Wishes& wishes) {
-    return MaterialMaker(document, textures, material, has_colors, wishes).make();
+int make_material(Document& document, Textures& textures, Json material, bool has_colors, Wishes& wishes,
+                  std::vector<scene::Material>& all) {
+    scene::Material made = MaterialMaker(document, textures, material, has_colors, wishes, all).make();
+    all.push_back(std::move(made));
+    return static_cast<int>(all.size()) - 1;
 }
 
 }  // namespace lancer::gltf

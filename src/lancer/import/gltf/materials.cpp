@@ -42,8 +42,7 @@ int Materials::of(Json primitive, Wishes& wishes) {
     const bool has_colors = static_cast<bool>(primitive["attributes"]["COLOR_0"]);
     int& index = made.index[has_colors ? 1 : 0];
     if (index < 0) {
-        index = static_cast<int>(scene_.materials.size());
-        scene_.materials.push_back(make_material(document_, textures_, material, has_colors, made.wishes[has_colors ? 1 : 0]));
+        index = make_material(document_, textures_, material, has_colors, made.wishes[has_colors ? 1 : 0], scene_.materials);
     }
     wishes = made.wishes[has_colors ? 1 : 0];
     return index;

@@ -35,7 +35,8 @@ private:
     std::vector<Made> made_;  // the last one for primitives without a material
 };
 
-// A material of the file; `has_colors`: of the primitive's vertices.
-scene::Material make_material(Document& document, Textures& textures, Json material, bool has_colors, Wishes& wishes);
+// Adds a material of the file, and those that it mixes before it; its index. `has_colors`: of the primitive's vertices.
+int make_material(Document& document, Textures& textures, Json material, bool has_colors, Wishes& wishes,
+                  std::vector<scene::Material>& all);
 
 }  // namespace lancer::gltf

@@ -10,7 +10,7 @@
 #include "lancer/import/gltf/document.h"
 #include "lancer/import/gltf/geometry.h"
 #include "lancer/import/scene_files.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/textures.h"
 
 namespace lancer::gltf {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lancer/import/mesh/mesh_messages.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/shapes.h"
 
 namespace lancer {
 

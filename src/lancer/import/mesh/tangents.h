@@ -1,7 +1,7 @@
 // Tangents for normal maps, where a file brings none.
 #pragma once
 
-#include "lancer/scene/scene.h"
+#include "lancer/scene/shapes.h"
 
 namespace lancer {
 

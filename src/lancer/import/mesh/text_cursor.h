@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -65,6 +66,17 @@ public:
             ++stop;
         }
         return {at_, static_cast<std::size_t>(stop - at_)};
+    }
+
+    // All words from here to the end of the line, with what is between them; moves behind them.
+    std::string rest_of_line() {
+        const char* first = at_;
+        const char* last = at_;
+        while (find_word() && first <= at_) {
+            skip(word().size());
+            last = at_;
+        }
+        return {first, last};
     }
 
     void skip(std::size_t bytes) { at_ += bytes; }

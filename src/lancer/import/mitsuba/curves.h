@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "lancer/base/diagnostic.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/shapes.h"
 
 namespace lancer::mitsuba {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -29,6 +30,36 @@ void add_light(Builder& builder, Plugin& plugin, decltype(scene::Light::model) m
     builder.honoured(plugin);
 }
 
+// A picture that a light throws, upright as whoever looks along the light sees it; where it is no picture, its colour in `tint`.
+std::optional<scene::ImageTexture> thrown_picture(Builder& builder, Plugin& plugin, std::string_view name, scene::Color& tint) {
+    const scene::Texture texture = texture_or(builder, plugin, name, Color(1.0), Role::light);
+    if (const auto* image = std::get_if<scene::ImageTexture>(&texture)) {
+        scene::ImageTexture upright = *image;
+        upright.scale = glm::dvec2(1.0);
+        upright.rotation = 0.0;
+        upright.offset = glm::dvec2(0.0);
+        return upright;
+    }
+    if (const auto* color = std::get_if<scene::Color>(&texture)) {
+        tint = *color;
+    } else {
+        builder.context.report.approximated(fmt::format("{}: \"{}\"", plugin.title(), name), "white: no light throws such a texture",
+                                            plugin.position());
+    }
+    return std::nullopt;
+}
+
+// One of the two at least has no spectrum.
+scene::Color times(const scene::Color& a, const scene::Color& b) {
+    if (a.spectrum || b.spectrum) {
+        scene::Spectrum spectrum = *(a.spectrum ? a : b).spectrum;
+        const scene::Rgb& other = (a.spectrum ? b : a).rgb;
+        spectrum.scale *= (other.x + other.y + other.z) / 3.0;
+        return spectrum;
+    }
+    return a.rgb * b.rgb;
+}
+
 void add_point(Builder& builder, Plugin& plugin) {
     const glm::dmat4 to_world = plugin.transform("to_world").value_or(glm::dmat4(1.0));
     const glm::dvec3 position = plugin.vector("position", point(to_world, glm::dvec3(0.0)));
@@ -43,10 +74,34 @@ void add_spot(Builder& builder, Plugin& plugin) {
     spot.angle = plugin.number("cutoff_angle", 20.0, 0.01, 89.99);
     const double beam = plugin.number("beam_width", 0.75 * spot.angle, 0.0, 180.0);
     spot.falloff = std::max(spot.angle - beam, 0.0);
+    scene::Color tint(scene::Rgb(1.0));
     if (plugin.has("texture")) {
-        builder.context.report.dropped(fmt::format("{}: \"texture\"", plugin.title()), "the spot is plain", plugin.position());
+        spot.image = thrown_picture(builder, plugin, "texture", tint);
+        spot.up = direction(to_world, glm::dvec3(0.0, 1.0, 0.0));
     }
-    add_light(builder, plugin, spot, color_or(builder, plugin, "intensity", Color(1.0), Role::light));
+    add_light(builder, plugin, spot, times(color_or(builder, plugin, "intensity", Color(1.0), Role::light), tint));
+}
+
+// Its irradiance at a distance of 1 comes out pi times as large as it is written.
+void add_projector(Builder& builder, Plugin& plugin) {
+    const glm::dmat4 to_world = plugin.transform("to_world").value_or(glm::dmat4(1.0));
+    scene::ProjectorLight light;
+    light.position = point(to_world, glm::dvec3(0.0));
+    light.direction = direction(to_world, glm::dvec3(0.0, 0.0, 1.0));
+    light.up = direction(to_world, glm::dvec3(0.0, 1.0, 0.0));
+    light.fov = plugin.number("fov", 50.0, 1e-3, 179.9);
+    const std::string axis = plugin.text("fov_axis", "x");
+    if (axis == "y") {
+        light.fov_axis = scene::ProjectorFov::height;
+    } else if (axis == "smaller") {
+        light.fov_axis = scene::ProjectorFov::smaller;
+    } else if (axis != "x") {
+        builder.context.report.approximated(fmt::format("{}: \"fov_axis\" {}", plugin.title(), quoted(axis)), "x", plugin.position());
+    }
+    scene::Color tint(scene::Rgb(1.0));
+    light.image = thrown_picture(builder, plugin, "irradiance", tint);
+    const double scale = std::max(plugin.number("scale", 1.0), 0.0) * std::numbers::pi;
+    add_light(builder, plugin, light, times(tint, scene::Rgb(scale)));
 }
 
 void add_directional(Builder& builder, Plugin& plugin) {
@@ -112,8 +167,9 @@ struct Kind {
 };
 
 constexpr Kind kinds[] = {
-    {"point", add_point}, {"spot", add_spot}, {"directional", add_directional}, {"constant", add_constant}, {"envmap", add_environment},
-    {"sunsky", add_sky},  {"sky", add_sky},
+    {"point", add_point},         {"spot", add_spot},         {"directional", add_directional},
+    {"projector", add_projector}, {"constant", add_constant}, {"envmap", add_environment},
+    {"sunsky", add_sky},          {"sky", add_sky},
 };
 
 }  // namespace

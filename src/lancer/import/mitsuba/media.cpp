@@ -35,6 +35,12 @@ std::optional<scene::Grid> grid_volume(Builder& builder, Plugin& plugin) {
     return scene::Grid{std::move(file->data), own_box ? to_world * file->to_world : to_world, false};
 }
 
+scene::Grid one_cell(const glm::dmat4& to_world) {
+    auto one = std::make_shared<scene::VoxelData>();
+    one->values = {1.0f};
+    return {one, to_world, false};
+}
+
 Quantity quantity(Builder& builder, Plugin& plugin, std::string_view name, double preset, Role role) {
     const Element* element = plugin.find(name);
     if (!element) {
@@ -47,7 +53,10 @@ Quantity quantity(Builder& builder, Plugin& plugin, std::string_view name, doubl
     Quantity result{scene::Rgb(1.0), std::nullopt};
     if (volume.type() == "constvolume") {
         result.color = color_or(builder, volume, "value", scene::Rgb(1.0), role);
-        volume.ignore("to_world");
+        const auto to_world = volume.transform("to_world");
+        if (plugin.type() == "heterogeneous") {  // it fills its own box and no more
+            result.grid = one_cell(to_world.value_or(glm::dmat4(1.0)));
+        }
         builder.honoured(volume);
     } else if (volume.type() == "gridvolume") {
         result.grid = grid_volume(builder, volume);
@@ -89,13 +98,12 @@ scene::Medium medium_from(Builder& builder, Plugin& plugin) {
     } else {
         Quantity extinction = quantity(builder, plugin, plugin.has("density") ? "density" : "sigma_t", 1.0, Role::index);
         Quantity albedo = quantity(builder, plugin, "albedo", 0.75, Role::share);
+        const bool colored = albedo.grid && albedo.grid->data->values.size() > 1;
         medium.coefficients = scene::ExtinctionAlbedo{extinction.color, albedo.color};
         medium.density = std::move(extinction.grid);
-        medium.albedo = std::move(albedo.grid);
-        if (medium.albedo && !medium.density) {
-            auto one = std::make_shared<scene::VoxelData>();
-            one->values = {1.0f};
-            medium.density = scene::Grid{one, medium.albedo->to_world, false};
+        if (colored) {
+            medium.albedo = std::move(albedo.grid);
+            medium.density = medium.density ? medium.density : one_cell(medium.albedo->to_world);
         }
     }
     set_phase(builder, plugin, medium);

@@ -116,7 +116,7 @@ scene::Texture bitmap(Builder& builder, Plugin& plugin) {
         plugin.ignore(name);
     }
     set_transform(builder, plugin, uv_transform(plugin), image);
-    if (!builder.context.files.image(image.file, plugin.position())) {
+    if (!builder.context.files.image(image, plugin.position())) {
         return Color(1.0, 0.0, 1.0);
     }
     builder.honoured(plugin);

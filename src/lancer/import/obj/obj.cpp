@@ -1,42 +1,50 @@
 #include "lancer/import/obj/obj.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "lancer/image/image.h"
 #include "lancer/import/mesh/mesh_check.h"
 #include "lancer/import/mesh/polygon.h"
-#include "lancer/import/obj/obj_parse.h"
+#include "lancer/import/obj/obj_build.h"
 
 namespace lancer {
 
-namespace {
+namespace obj {
 
-using obj::absent;
-using obj::Corner;
-using obj::Statements;
+namespace {
 
 // An OBJ corner has three numbers, a vertex of ours has one: equal corners become one vertex.
 class Welder {
 public:
-    Welder(const Statements& statements, scene::TriangleMesh& mesh) : statements_(statements), mesh_(mesh) {
-        for (const Corner& corner : statements.corners) {
-            has_uvs_ = has_uvs_ || corner.uv != absent;
-            has_normals_ = has_normals_ || corner.normal != absent;
+    // For a mesh of all faces, or of some that have `corners` corners.
+    Welder(const Statements& statements, const std::vector<FaceRange>& faces, scene::TriangleMesh& mesh)
+        : statements_(statements), mesh_(mesh) {
+        std::size_t corners = 0;
+        for (const FaceRange& range : faces) {
+            const std::size_t last = statements.face_ends[range.end - 1];
+            for (std::size_t i = range.begin == 0 ? 0 : statements.face_ends[range.begin - 1]; i < last; ++i) {
+                has_uvs_ = has_uvs_ || statements.corners[i].uv != absent;
+                has_normals_ = has_normals_ || statements.corners[i].normal != absent;
+                ++corners;
+            }
         }
+        has_all_ = corners == statements.corners.size();
         if (plain()) {
             mesh_.positions = statements.positions;
             for (const glm::vec3& color : statements.colors) {
                 mesh_.colors.push_back(decoded(color));
             }
         } else {
-            slots_.assign(std::bit_ceil(2 * statements.positions.size() + 16), empty);
+            slots_.assign(std::bit_ceil(2 * std::min(statements.positions.size(), corners) + 16), empty);
         }
     }
 
-    bool plain() const { return !has_uvs_ && !has_normals_; }
+    bool plain() const { return has_all_ && !has_uvs_ && !has_normals_; }
 
     // A corner without a normal, in a mesh that has some, gets `face`'s number for one: it has the normal of its face to itself.
     std::uint32_t vertex(Corner corner, std::size_t face, const glm::vec3& face_normal) {
@@ -106,17 +114,23 @@ private:
     scene::TriangleMesh& mesh_;
     bool has_uvs_ = false;
     bool has_normals_ = false;
+    bool has_all_ = false;
     std::vector<Corner> corners_;       // of each vertex
     std::vector<std::uint32_t> slots_;  // numbers of vertices; the count is a power of two, at least twice the vertices
 };
 
-scene::TriangleMesh build(const Statements& statements) {
+}  // namespace
+
+scene::TriangleMesh build(const Statements& statements, const std::vector<FaceRange>& faces) {
     scene::TriangleMesh mesh;
-    Welder welder(statements, mesh);
+    if (faces.empty()) {
+        return mesh;
+    }
+    Welder welder(statements, faces, mesh);
     std::vector<glm::vec3> points;
     std::vector<std::array<std::size_t, 3>> cut;
-    std::size_t begin = 0;
-    for (std::size_t face = 0; face < statements.face_ends.size(); ++face) {
+    const auto add = [&](std::size_t face) {
+        const std::size_t begin = face == 0 ? 0 : statements.face_ends[face - 1];
         const std::size_t end = statements.face_ends[face];
         points.clear();
         glm::dvec3 normal(0.0);
@@ -138,20 +152,34 @@ scene::TriangleMesh build(const Statements& statements) {
             }
             mesh.triangles.push_back(corners);
         }
-        begin = end;
+    };
+    for (const FaceRange& range : faces) {
+        for (std::size_t face = range.begin; face < range.end; ++face) {
+            add(face);
+        }
     }
     return mesh;
 }
 
-}  // namespace
+std::vector<FaceRange> all_faces(const Statements& statements) {
+    return statements.face_ends.empty() ? std::vector<FaceRange>() : std::vector<FaceRange>{{0, statements.face_ends.size()}};
+}
+
+}  // namespace obj
 
 std::optional<scene::TriangleMesh> read_obj(std::string_view bytes, const std::string& file, Diagnostics& diagnostics) {
     MeshMessages messages(file, diagnostics);
-    const Statements statements = obj::parse(bytes, messages);
+    const obj::Statements statements = obj::parse(bytes, messages);
     if (messages.has_errors()) {
         return std::nullopt;
     }
-    scene::TriangleMesh mesh = build(statements);
+    if (statements.lines_and_points > 0) {
+        messages.note(fmt::format("{} statements for lines and points are left out", statements.lines_and_points));
+    }
+    if (!statements.materials.empty()) {
+        messages.note("materials (usemtl) are left out; the mesh has the material that the scene gives it");
+    }
+    scene::TriangleMesh mesh = obj::build(statements, obj::all_faces(statements));
     if (!check_mesh(mesh, messages)) {
         return std::nullopt;
     }

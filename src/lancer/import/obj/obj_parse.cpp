@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string>
 
 #include "lancer/import/mesh/text_cursor.h"
@@ -13,8 +14,7 @@ namespace lancer::obj {
 namespace {
 
 // Statements that say nothing about the shape of the faces, or that we leave out knowingly (SUPPORT.md).
-constexpr std::array passed_over = {"o",  "g",     "s",        "mg",       "usemtl", "mtllib",     "usemap",   "maplib",
-                                    "vp", "bevel", "c_interp", "d_interp", "lod",    "shadow_obj", "trace_obj"};
+constexpr std::array passed_over = {"s", "mg", "usemap", "maplib", "vp", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj"};
 constexpr std::array not_faces = {"l", "p"};
 
 template <std::size_t count>
@@ -34,7 +34,6 @@ public:
             cursor_.next_line();
         }
         check_late_corners();
-        tell_what_was_left_out();
         return std::move(result_);
     }
 
@@ -63,10 +62,18 @@ private:
         } else if (word == "f" || word == "fo") {
             face(line, column);
         } else if (contains(not_faces, word)) {
-            ++lines_and_points_;
-        } else if (contains(passed_over, word)) {
-            materials_ = materials_ || word == "usemtl";
-        } else {
+            ++result_.lines_and_points;
+        } else if (word == "usemtl") {
+            run_.material = number_of(materials_, result_.materials);
+            begin_run();
+        } else if (word == "o" || word == "g") {
+            run_.name = number_of(names_, result_.names);
+            begin_run();
+        } else if (word == "mtllib") {
+            if (cursor_.find_word()) {
+                result_.libraries.push_back({cursor_.rest_of_line(), line, column});
+            }
+        } else if (!contains(passed_over, word)) {
             messages_.warning(line, column, fmt::format("unknown statement {}; left out", quoted(word)));
         }
     }
@@ -182,12 +189,22 @@ private:
         }
     }
 
-    void tell_what_was_left_out() {
-        if (lines_and_points_ > 0) {
-            messages_.note(fmt::format("{} statements for lines and points are left out", lines_and_points_));
+    // The rest of the line is a name.
+    std::int32_t number_of(std::map<std::string, std::int32_t>& known, std::vector<std::string>& names) {
+        const std::string name = cursor_.find_word() ? cursor_.rest_of_line() : "";
+        const auto [found, is_new] = known.try_emplace(name, static_cast<std::int32_t>(names.size()));
+        if (is_new) {
+            names.push_back(name);
         }
-        if (materials_) {
-            messages_.note("materials (usemtl) are left out; the mesh has the material that the scene gives it");
+        return found->second;
+    }
+
+    void begin_run() {
+        run_.first_face = result_.face_ends.size();
+        if (!result_.runs.empty() && result_.runs.back().first_face == run_.first_face) {
+            result_.runs.back() = run_;
+        } else {
+            result_.runs.push_back(run_);
         }
     }
 
@@ -195,8 +212,9 @@ private:
     MeshMessages& messages_;
     Statements result_;
     std::vector<LateCorner> late_;
-    std::size_t lines_and_points_ = 0;
-    bool materials_ = false;
+    Run run_;
+    std::map<std::string, std::int32_t> materials_;
+    std::map<std::string, std::int32_t> names_;
 };
 
 }  // namespace

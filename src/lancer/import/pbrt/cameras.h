@@ -4,7 +4,8 @@
 #include <glm/mat4x4.hpp>
 
 #include "lancer/import/pbrt/graphics_state.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/camera.h"
+#include "lancer/scene/render_settings.h"
 
 namespace lancer::pbrt {
 

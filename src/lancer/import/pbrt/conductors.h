@@ -4,7 +4,8 @@
 #include <string>
 
 #include "lancer/import/pbrt/textures.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/materials.h"
+#include "lancer/scene/textures.h"
 
 namespace lancer::pbrt {
 

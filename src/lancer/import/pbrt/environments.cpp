@@ -24,7 +24,7 @@ scene::Rgb pixel(const Image& image, double x, double y) {
     const float* p =
         &image
              .pixels[(static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column)) * channels];
-    return channels >= 3 ? scene::Rgb(p[0], p[1], p[2]) : scene::Rgb(p[0]);
+    return channels >= 3 ? scene::Rgb(p[0], p[1], p[2]) : scene::Rgb(static_cast<double>(p[0]));
 }
 
 scene::Rgb radiance(const Environment& environment, const glm::dvec3& direction) {
@@ -93,7 +93,7 @@ scene::Rgb mean_color(const Image& image, bool square) {
         const double weight = square ? 1.0 : std::sin(std::numbers::pi * (y + 0.5) / image.height);
         for (int x = 0; x < image.width; ++x, at += channels) {
             const float* p = &image.pixels[at];
-            sum += weight * (channels >= 3 ? scene::Rgb(p[0], p[1], p[2]) : scene::Rgb(p[0]));
+            sum += weight * (channels >= 3 ? scene::Rgb(p[0], p[1], p[2]) : scene::Rgb(static_cast<double>(p[0])));
             weights += weight;
         }
     }

@@ -7,7 +7,9 @@
 #include <glm/mat3x3.hpp>
 
 #include "lancer/image/image.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/color.h"
+#include "lancer/scene/lights.h"
+#include "lancer/scene/textures.h"
 
 namespace lancer::pbrt {
 

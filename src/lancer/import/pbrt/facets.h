@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lancer/import/pbrt/textures.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/textures.h"
 
 namespace lancer::pbrt {
 

@@ -23,6 +23,28 @@ namespace {
 
 using std::numbers::pi;
 
+// What a projector of unit scale sends out: the mean of the picture's channels times the solid angle of each pixel.
+double thrown_flux(const Image& image, double fov) {
+    const double half = std::tan(glm::radians(fov) / 2.0);
+    const double aspect = static_cast<double>(image.width) / image.height;
+    const double half_width = aspect > 1.0 ? half * aspect : half, half_height = aspect > 1.0 ? half : half / aspect;
+    const double area = 4.0 * half_width * half_height / (static_cast<double>(image.width) * image.height);
+    const auto channels = static_cast<std::size_t>(image.channels);
+    double flux = 0.0;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const double u = (2.0 * (x + 0.5) / image.width - 1.0) * half_width, v = (2.0 * (y + 0.5) / image.height - 1.0) * half_height;
+            const float* p =
+                &image.pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) *
+                              channels];
+            const double light = channels >= 3 ? (static_cast<double>(p[0]) + static_cast<double>(p[1]) + static_cast<double>(p[2])) / 3.0
+                                               : static_cast<double>(p[0]);
+            flux += light * area / std::pow(1.0 + u * u + v * v, 1.5);
+        }
+    }
+    return flux;
+}
+
 }  // namespace
 
 void Lights::add(const Recipe& light, const glm::dmat4& to_world) {
@@ -100,24 +122,28 @@ void Lights::add_distant(const Recipe& light, const glm::dmat4& to_world) {
 }
 
 // The mean of a picture that a light throws; nothing when it can't be read.
-std::optional<scene::Rgb> Lights::mean_of_picture(const Parameters& parameters) {
+// The picture of a light, its pixels read.
+std::optional<Environment> Lights::thrown_picture(const Parameters& parameters) {
     const bool old = !parameters.has("filename") && parameters.has("mapname");
     const Parameter* parameter = parameters.find(old ? "mapname" : "filename");
     const auto name = parameters.string(old ? "mapname" : "filename");
     if (!name) {
         return std::nullopt;
     }
-    const SourcePosition position = Parameters::position_of(*parameter);
-    const std::string path = find_file(context_, *name, *parameter->text);
-    if (!context_.files.image(path, position)) {
+    Environment picture;
+    picture.position = Parameters::position_of(*parameter);
+    picture.file = find_file(context_, *name, *parameter->text);
+    if (!context_.files.image(picture.file, picture.position)) {
         return std::nullopt;
     }
     try {
-        return mean_color(read_image(path), !old);
+        picture.image = read_image(picture.file);
     } catch (const std::runtime_error& problem) {
-        context_.diagnostics.error(position, problem.what());
+        context_.diagnostics.error(picture.position, problem.what());
         return std::nullopt;
     }
+    picture.square = !old && picture.image.width == picture.image.height;
+    return picture;
 }
 
 void Lights::add_infinite(const Recipe& light, const glm::dmat4& to_world) {
@@ -220,35 +246,65 @@ void Lights::place_surroundings(double brightness) {
     background.strength = brightness;
 }
 
+// Of version 4: a square of equal areas, looked up in the light's own space.
 void Lights::add_goniometric(const Recipe& light, const glm::dmat4& to_world) {
     const Parameters& parameters = light.parameters;
     LightColor color = read_light_color(light, "I", version3_);
-    const scene::Rgb mean = mean_of_picture(parameters).value_or(scene::Rgb(1.0));
+    const glm::dvec3 position = apply_to_point(to_world, glm::dvec3(0.0));
+    const auto picture = thrown_picture(parameters);
+    const scene::Rgb mean = picture ? mean_color(picture->image, picture->square) : scene::Rgb(1.0);
     if (const auto power = parameters.number("power"); power && *power > 0.0) {
         color.scale *= *power / (4.0 * pi * std::max((mean.x + mean.y + mean.z) / 3.0, 1e-6));
     }
-    push(light, scene::PointLight{apply_to_point(to_world, glm::dvec3(0.0))}, Color(visible_light(color.color) * mean * color.scale));
+    const scene::Rgb tint = visible_light(color.color) * color.scale;
+    if (picture && picture->square && !version3_) {
+        Environment environment;
+        environment.position = picture->position;
+        environment.image = picture->image;
+        environment.to_light = glm::inverse(glm::dmat3(to_world));
+        push(light, scene::GoniometricLight{position, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, panorama_of({environment}, scene::Rgb(0.0))},
+             Color(tint));
+        context_.report.approximated(parameters.owner() + ": a square of equal areas", "latitudes and longitudes as fine",
+                                     parameters.position());
+        return;
+    }
+    push(light, scene::PointLight{position}, Color(tint * mean));
     context_.report.approximated(parameters.owner(), "a point light of the same power", parameters.position());
 }
 
-// A cone as wide as the picture is high.
+// As intense in each direction as the picture says, which spans the field of view along its shorter side.
 void Lights::add_projection(const Recipe& light, const glm::dmat4& to_world) {
     const Parameters& parameters = light.parameters;
-    const scene::Rgb mean = mean_of_picture(parameters).value_or(scene::Rgb(1.0));
-    const double fov = std::clamp(parameters.number("fov", version3_ ? 45.0 : 90.0), 1.0, 179.0);
+    scene::ProjectorLight projector;
+    projector.position = apply_to_point(to_world, glm::dvec3(0.0));
+    projector.direction = apply_to_direction(to_world, {0.0, 0.0, 1.0});
+    projector.up = apply_to_direction(to_world, {0.0, 1.0, 0.0});
+    projector.fov = std::clamp(parameters.number("fov", version3_ ? 45.0 : 90.0), 1.0, 179.0);
+    projector.fov_axis = scene::ProjectorFov::smaller;
+    projector.even = false;
     double scale = parameters.number("scale", 1.0);
-    if (const auto power = parameters.number("power"); power && *power > 0.0) {
-        scale *= *power / (2.0 * pi * (1.0 - std::cos(glm::radians(fov / 2.0))) * std::max((mean.x + mean.y + mean.z) / 3.0, 1e-6));
-    }
+    const auto power = parameters.number("power");
     parameters.pass_over({"I"});
-    push(light,
-         scene::SpotLight{apply_to_point(to_world, glm::dvec3(0.0)), apply_to_direction(to_world, {0.0, 0.0, 1.0}), fov / 2.0, fov / 40.0},
-         Color(mean * scale));
-    context_.report.approximated(parameters.owner(), "a spot light of the picture's mean colour", parameters.position());
+    if (const auto picture = thrown_picture(parameters)) {
+        scene::ImageTexture image;
+        image.file = picture->file;
+        image.position = picture->position;
+        if (glm::determinant(glm::dmat3(to_world)) > 0.0) {
+            // Its right is where x grows, and that is to the left of who looks along z in a space of this hand.
+            image.scale.x = -1.0;
+            image.offset.x = 1.0;
+        }
+        projector.image = image;
+        if (power && *power > 0.0) {
+            const double flux = thrown_flux(picture->image, projector.fov);
+            scale *= *power / std::max(flux, 1e-9);
+        }
+    }
+    push(light, projector, Color(scene::Rgb(scale)));
+    context_.report.honoured(parameters.owner(), parameters.position());
 }
 
-void Lights::push(const Recipe& light, std::variant<scene::PointLight, scene::SpotLight, scene::DirectionalLight> model,
-                  const Color& power) {
+void Lights::push(const Recipe& light, decltype(scene::Light::model) model, const Color& power) {
     scene::Light made;
     made.model = std::move(model);
     made.position = light.parameters.position();

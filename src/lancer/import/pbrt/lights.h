@@ -34,8 +34,8 @@ private:
     void place_surroundings(double brightness);
     void add_goniometric(const Recipe& light, const glm::dmat4& to_world);
     void add_projection(const Recipe& light, const glm::dmat4& to_world);
-    std::optional<scene::Rgb> mean_of_picture(const Parameters& parameters);
-    void push(const Recipe& light, std::variant<scene::PointLight, scene::SpotLight, scene::DirectionalLight> model, const Color& power);
+    std::optional<Environment> thrown_picture(const Parameters& parameters);
+    void push(const Recipe& light, decltype(scene::Light::model) model, const Color& power);
 
     ImportContext& context_;
     scene::Scene& scene_;

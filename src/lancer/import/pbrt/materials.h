@@ -6,7 +6,7 @@
 
 #include "lancer/import/pbrt/graphics_state.h"
 #include "lancer/import/pbrt/textures.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/materials.h"
 
 namespace lancer::pbrt {
 

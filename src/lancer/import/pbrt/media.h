@@ -7,7 +7,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "lancer/import/pbrt/graphics_state.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/media.h"
 
 namespace lancer::pbrt {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lancer/import/pbrt/parameters.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/shapes.h"
 
 namespace lancer::pbrt {
 

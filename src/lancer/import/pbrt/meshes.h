@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "lancer/import/pbrt/parameters.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/shapes.h"
 
 namespace lancer::pbrt {
 

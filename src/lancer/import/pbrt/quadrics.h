@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "lancer/scene/scene.h"
+#include "lancer/scene/shapes.h"
 
 namespace lancer::pbrt {
 

@@ -7,7 +7,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "lancer/import/pbrt/parameters.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/shapes.h"
 
 namespace lancer::pbrt {
 

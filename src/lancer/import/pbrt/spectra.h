@@ -5,7 +5,8 @@
 
 #include "lancer/import/pbrt/color_space.h"
 #include "lancer/import/pbrt/parameters.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/color.h"
+#include "lancer/scene/materials.h"
 #include "lancer/spectrum/curve.h"
 
 namespace lancer::pbrt {

@@ -1,7 +1,7 @@
 // Smooth surfaces from coarse triangles.
 #pragma once
 
-#include "lancer/scene/scene.h"
+#include "lancer/scene/shapes.h"
 
 namespace lancer::pbrt {
 

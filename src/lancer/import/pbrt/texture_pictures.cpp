@@ -21,7 +21,7 @@ scene::Rgb texel(const Image& image, int x, int y, scene::Wrap wrap) {
     const auto row = static_cast<std::size_t>(wrapped(y, image.height, wrap));
     const auto channels = static_cast<std::size_t>(image.channels);
     const float* p = &image.pixels[(row * static_cast<std::size_t>(image.width) + column) * channels];
-    return channels >= 3 ? scene::Rgb(p[0], p[1], p[2]) : scene::Rgb(p[0]);
+    return channels >= 3 ? scene::Rgb(p[0], p[1], p[2]) : scene::Rgb(static_cast<double>(p[0]));
 }
 
 // (0, 0) is the lower left corner; between the middles of four texels.

@@ -8,7 +8,8 @@
 #include <glm/vec2.hpp>
 
 #include "lancer/image/image.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/color.h"
+#include "lancer/scene/textures.h"
 
 namespace lancer::pbrt {
 

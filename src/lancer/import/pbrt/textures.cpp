@@ -162,7 +162,7 @@ std::optional<TextureNode> Textures::image(const Recipe& recipe) const {
     auto laid = mapping(recipe);
     laid->position = Parameters::position_of(*parameter);
     laid->file = find_file(context_, *name, *parameter->text);
-    const bool there = context_.files.image(laid->file, laid->position);
+    const bool there = context_.files.image(*laid, laid->position) && laid->bytes == nullptr;
     const std::string filter = parameters.string("filter", "bilinear");
     laid->filter = filter == "point" ? scene::Filter::nearest : filter == "bilinear" ? scene::Filter::bilinear : scene::Filter::mipmaps;
     const std::string encoding = parameters.string("encoding", "sRGB");

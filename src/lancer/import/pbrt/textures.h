@@ -11,7 +11,7 @@
 #include "lancer/import/pbrt/graphics_state.h"
 #include "lancer/import/pbrt/spectra.h"
 #include "lancer/import/pbrt/texture_pictures.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/textures.h"
 
 namespace lancer::pbrt {
 

@@ -8,7 +8,7 @@
 
 #include "lancer/import/mesh/mesh_messages.h"
 #include "lancer/import/ply/ply_header.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/shapes.h"
 
 namespace lancer::ply {
 

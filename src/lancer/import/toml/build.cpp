@@ -66,6 +66,22 @@ void check_reach(Messages& messages, const std::vector<scene::Object>& objects, 
     }
 }
 
+// What included files say about rendering and surroundings: the first one's word holds.
+void take_settings(scene::Scene& scene, const std::vector<Included>& included) {
+    const auto first_with = [&](const auto& member) {
+        return std::find_if(included.begin(), included.end(), [&](const Included& each) { return (each.*member).has_value(); });
+    };
+    if (const auto i = first_with(&Included::settings); i != included.end()) {
+        scene.settings = *i->settings;
+    }
+    if (const auto i = first_with(&Included::background); i != included.end()) {
+        scene.background = *i->background;
+    }
+    if (const auto i = first_with(&Included::ambient); i != included.end()) {
+        scene.ambient = *i->ambient;
+    }
+}
+
 bool shows_something(const scene::Scene& scene) {
     std::vector<bool> groups;  // whether there is an object in it
     const auto any_placed = [&](const std::vector<scene::Placement>& placements) {
@@ -85,20 +101,25 @@ void build(Context& context, const toml::table& root) {
     scene::Scene& scene = context.scene;
     const SourcePosition whole_file{messages.file(), 0, 0};
     complain_about_unknown_sections(messages, root);
-    read_cameras(context, root);
-    read_settings(context, root);
-    read_media(context, root);
     Materials materials(context);
-    materials.read_named(root);
-    read_lights(context, root);
-    read_groups_and_contents(context, materials, root);
+    materials.read_names(root);
+    read_media(context, root);
+    const std::vector<Included> included = read_includes(context, materials, root);
+    take_settings(scene, included);
+    read_cameras(context, root);
+    add_included_cameras(context, included);
+    read_settings(context, root);
+    materials.read_named();
+    read_lights(context, included, root);
+    read_groups_and_contents(context, materials, included, root);
     if (messages.diagnostics().has_errors()) {
         return;  // the rest would complain about what is missing because it was wrong
     }
 
     materials.warn_about_unused();
     warn_about_unused_media(context);
-    if (!shows_something(scene)) {
+    const bool is_part = context.import.options.is_part;
+    if (!is_part && !shows_something(scene)) {
         messages.error(whole_file,
                        "there is nothing to see: the scene needs a shape, such as [[sphere]], or a [[place]] of a group with shapes");
         return;
@@ -111,12 +132,15 @@ void build(Context& context, const toml::table& root) {
     const bool shines = std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return m.emission.has_value(); });
     const bool glows = std::any_of(scene.media.begin(), scene.media.end(),
                                    [](const scene::Medium& m) { return m.emission.spectrum || m.emission.rgb != scene::Rgb(0.0); });
-    if (scene.lights.empty() && !shines && !glows && !root.contains("background") && !root.contains("ambient")) {
+    const bool has_surroundings =
+        std::any_of(included.begin(), included.end(), [](const Included& i) { return i.background || i.ambient; });
+    if (!is_part && scene.lights.empty() && !shines && !glows && !has_surroundings && !root.contains("background") &&
+        !root.contains("sky") && !root.contains("ambient")) {
         messages.error(whole_file,
                        "the scene is dark: it needs a [[light]], a material or medium with `emission`, a [background] or `ambient` light");
         return;
     }
-    if (scene.cameras.empty() && !messages.diagnostics().has_errors()) {
+    if (!is_part && scene.cameras.empty() && !messages.diagnostics().has_errors()) {
         messages.note(whole_file, "there is no [camera]: one that sees everything is used");
         scene.cameras.push_back(default_camera(scene::bounds(scene)));
     }

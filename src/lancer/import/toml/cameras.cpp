@@ -60,6 +60,19 @@ scene::Camera read_camera(Messages& messages, const toml::table& table, std::str
 
 }  // namespace
 
+void add_included_cameras(Context& context, const std::vector<Included>& included) {
+    std::vector<scene::Camera>& cameras = context.scene.cameras;
+    const bool has_own = !cameras.empty();
+    for (const Included& part : included) {
+        for (const scene::Camera& camera : part.cameras) {
+            const bool is_taken = std::any_of(cameras.begin(), cameras.end(), [&](const auto& other) { return other.name == camera.name; });
+            if (!is_taken && !(has_own && camera.name.empty())) {
+                cameras.push_back(camera);
+            }
+        }
+    }
+}
+
 void read_cameras(Context& context, const toml::table& root) {
     const toml::node* node = root.get("camera");
     if (!node) {

@@ -48,7 +48,7 @@ scene::ImageTexture read_image(Context& context, TableReader& reader, bool data)
     const std::string file = reader.text("file");
     if (!file.empty()) {
         texture.file = path_beside(context.messages.file(), file);
-        if (!context.files.image(texture.file, reader.position("file"))) {
+        if (!context.files.image(texture, reader.position("file"))) {
             reader.spoil();
         }
     }
@@ -63,6 +63,8 @@ scene::ImageTexture read_image(Context& context, TableReader& reader, bool data)
     texture.scale = reader.vector2("scale");
     texture.rotation = reader.number("rotation");
     texture.offset = reader.vector2("offset");
+    texture.tint = read_rgb(reader, "tint");
+    texture.times_mesh_colors = reader.flag("vertex_colors");
     return texture;
 }
 
@@ -184,8 +186,8 @@ scene::Texture read_texture(Context& context, TableReader& reader, std::string_v
     for (const bool of_faces : {false, true}) {
         const Table& colors = of_faces ? face_color() : vertex_color();
         if (type && type->get() == colors.name) {
-            const TableReader colors_reader(context.messages, *table, colors);
-            return scene::MeshColors{of_faces};
+            TableReader colors_reader(context.messages, *table, colors);
+            return scene::MeshColors{of_faces, read_rgb(colors_reader, "tint")};
         }
     }
     const toml::node* written = table->get("type");

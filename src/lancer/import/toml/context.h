@@ -1,7 +1,7 @@
 // What the builders of a scene share.
 #pragma once
 
-#include "lancer/import/scene_files.h"
+#include "lancer/import/reader.h"
 #include "lancer/import/toml/messages.h"
 #include "lancer/scene/scene.h"
 
@@ -11,6 +11,7 @@ struct Context {
     Messages& messages;
     SceneFiles& files;
     scene::Scene& scene;
+    ImportContext& import;
 };
 
 }  // namespace lancer::notation

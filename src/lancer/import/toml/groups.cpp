@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include <glm/geometric.hpp>
@@ -33,16 +34,23 @@ struct Member {
 
 class Groups {
 public:
-    Groups(Context& context, Materials& materials) : context_(context), materials_(materials) {}
+    Groups(Context& context, Materials& materials, const std::vector<Included>& included)
+        : context_(context), materials_(materials), included_(included) {}
 
     void run(const toml::table& root) {
+        take_included();
         read(root);
         put_in_order();
         whole_.contents = read_contents(context_, materials_, root);
         whole_.depth = 0;
         resolve(whole_);
-        if (!whole_.contents.placements.empty() && sum_up(whole_)) {
+        if ((!whole_.contents.placements.empty() || !included_.empty()) && sum_up(whole_)) {
             refuse_too_much();
+        }
+        for (const Included& included : included_) {
+            if (included.name.empty()) {
+                context_.scene.placements.push_back(included.placement);
+            }
         }
         emit(whole_, context_.scene.objects, context_.scene.placements);
         if (context_.messages.diagnostics().has_errors()) {
@@ -57,6 +65,25 @@ public:
 
 private:
     void error(const SourcePosition& position, std::string message) { context_.messages.error(position, std::move(message)); }
+
+    // Includes with names are groups that are in order already.
+    void take_included() {
+        for (const Included& included : included_) {
+            if (included.name.empty()) {
+                continue;
+            }
+            Member member;
+            member.name = included.name;
+            member.position = included.position;
+            member.index = included.placement.group;
+            member.depth = included.depth;
+            member.objects = included.objects;
+            if (!by_name_.try_emplace(member.name, members_.size()).second) {
+                error(included.position, fmt::format("another include is called \"{}\" already", member.name));
+            }
+            members_.push_back(std::move(member));
+        }
+    }
 
     void read(const toml::table& root) {
         for (const toml::table* table : tables_of(context_.messages, root, group().name)) {
@@ -122,13 +149,15 @@ private:
         }
         for (std::size_t next = 0; next < ready.size(); ++next) {
             Member& member = members_[ready[next]];
-            if (!sum_up(member)) {
-                too_much_said_ = true;
+            if (member.index < 0) {
+                if (!sum_up(member)) {
+                    too_much_said_ = true;
+                }
+                member.index = static_cast<int>(context_.scene.groups.size());
+                scene::Group& group = context_.scene.groups.emplace_back();
+                group.name = member.name;
+                emit(member, group.objects, group.placements);
             }
-            member.index = static_cast<int>(context_.scene.groups.size());
-            scene::Group& group = context_.scene.groups.emplace_back();
-            group.name = member.name;
-            emit(member, group.objects, group.placements);
             for (std::size_t user : placed_by[ready[next]]) {
                 if (--waits_for[user] == 0) {
                     ready.push_back(user);
@@ -202,14 +231,18 @@ private:
     }
 
     void refuse_too_much() {
-        if (whole_.objects > most_objects) {
-            error(whole_.contents.placements.front().placement.position,
+        std::uint64_t objects = whole_.objects;
+        for (const Included& included : included_) {
+            objects += included.name.empty() ? included.objects : 0;
+        }
+        if (objects > most_objects) {
+            error(whole_.contents.placements.empty() ? included_.front().position : whole_.contents.placements.front().placement.position,
                   fmt::format("the placements make more than {} objects", most_objects));
         }
     }
 
     void emit(Member& member, std::vector<scene::Object>& objects, std::vector<scene::Placement>& placements) {
-        objects = std::move(member.contents.objects);
+        std::move(member.contents.objects.begin(), member.contents.objects.end(), std::back_inserter(objects));
         for (const NamedPlacement& named : member.contents.placements) {
             const Member& inside = members_[static_cast<std::size_t>(named.placement.group)];
             if (inside.index >= 0) {
@@ -221,6 +254,7 @@ private:
 
     Context& context_;
     Materials& materials_;
+    const std::vector<Included>& included_;
     std::vector<Member> members_;
     std::map<std::string, std::size_t> by_name_;
     std::map<std::string, bool> used_;
@@ -230,6 +264,8 @@ private:
 
 }  // namespace
 
-void read_groups_and_contents(Context& context, Materials& materials, const toml::table& root) { Groups(context, materials).run(root); }
+void read_groups_and_contents(Context& context, Materials& materials, const std::vector<Included>& included, const toml::table& root) {
+    Groups(context, materials, included).run(root);
+}
 
 }  // namespace lancer::notation

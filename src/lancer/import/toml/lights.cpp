@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <glm/geometric.hpp>
+
 #include "lancer/import/toml/colors.h"
 #include "lancer/import/toml/contents.h"
 
@@ -13,21 +15,43 @@ namespace lancer::notation {
 
 namespace {
 
-scene::SpotLight read_spot(TableReader& reader) {
-    scene::SpotLight spot;
-    spot.position = reader.vector3("position");
+// From "direction" or "look_at", of which there must be one.
+glm::dvec3 read_direction(TableReader& reader, const glm::dvec3& position) {
+    glm::dvec3 result(0.0, -1.0, 0.0);
     if (reader.has("direction") == reader.has("look_at")) {
-        reader.error(reader.position(), reader.has("direction") ? "a spot light has either \"direction\" or \"look_at\""
-                                                                : "a spot light needs \"direction\" or \"look_at\"");
+        const std::string_view what = reader.description().what;
+        reader.error(reader.position(), reader.has("direction") ? fmt::format("{} has either \"direction\" or \"look_at\"", what)
+                                                                : fmt::format("{} needs \"direction\" or \"look_at\"", what));
     } else if (reader.has("direction")) {
-        spot.direction = reader.direction("direction");
+        result = reader.direction("direction");
     } else if (const glm::dvec3 target = reader.vector3("look_at"); reader.good()) {
-        if (const auto direction = unit_vector(target - spot.position)) {
-            spot.direction = *direction;
+        if (const auto direction = unit_vector(target - position)) {
+            result = *direction;
         } else {
             reader.error("look_at", "\"look_at\" must differ from \"position\"");
         }
     }
+    return result;
+}
+
+scene::ImageTexture read_picture(Context& context, TableReader& reader) {
+    scene::ImageTexture image;
+    image.position = reader.position("image");
+    if (const std::string file = reader.text("image"); !file.empty()) {
+        image.file = path_beside(context.messages.file(), file);
+        if (!context.files.image(image.file, image.position)) {
+            reader.spoil();
+        }
+    }
+    image.linear = reader.choice("encoding") == 1;
+    image.tint = read_rgb(reader, "tint");
+    return image;
+}
+
+scene::SpotLight read_spot(Context& context, TableReader& reader) {
+    scene::SpotLight spot;
+    spot.position = reader.vector3("position");
+    spot.direction = read_direction(reader, spot.position);
     spot.angle = reader.number("angle");
     spot.falloff = reader.number("falloff");
     if (!reader.has("falloff")) {
@@ -35,7 +59,60 @@ scene::SpotLight read_spot(TableReader& reader) {
     } else if (reader.good() && spot.falloff > spot.angle) {
         reader.error("falloff", fmt::format("\"falloff\" must be at most \"angle\", {} degrees, not {}", spot.angle, spot.falloff));
     }
+    if (reader.has("image")) {
+        spot.image = read_picture(context, reader);
+    }
+    spot.up = reader.direction("up");
+    if (spot.image && reader.good() && !unit_vector(glm::cross(spot.direction, spot.up))) {
+        reader.error(reader.position(), "\"up\" must not point where the light shines");
+    }
     return spot;
+}
+
+scene::ProjectorLight read_projector(Context& context, TableReader& reader) {
+    scene::ProjectorLight light;
+    light.position = reader.vector3("position");
+    light.direction = read_direction(reader, light.position);
+    light.up = reader.direction("up");
+    light.fov = reader.number("fov");
+    light.fov_axis = static_cast<scene::ProjectorFov>(reader.choice("fov_axis"));
+    if (reader.has("image")) {
+        light.image = read_picture(context, reader);
+    }
+    light.even = reader.flag("even");
+    if (reader.good() && !unit_vector(glm::cross(light.direction, light.up))) {
+        reader.error(reader.position(), "\"up\" must not point where the projector shines");
+    }
+    return light;
+}
+
+scene::GoniometricLight read_goniometric(Context& context, TableReader& reader) {
+    scene::GoniometricLight light;
+    light.position = reader.vector3("position");
+    light.direction = reader.direction("direction");
+    light.up = reader.direction("up");
+    light.image = read_picture(context, reader);
+    if (reader.good() && !unit_vector(glm::cross(light.direction, light.up))) {
+        reader.error(reader.position(), "\"up\" must not point along \"direction\"");
+    }
+    return light;
+}
+
+scene::IesLight read_ies_light(Context& context, TableReader& reader) {
+    scene::IesLight light;
+    light.position = reader.vector3("position");
+    light.direction = reader.direction("direction");
+    light.forward = reader.direction("forward");
+    if (const std::string file = reader.text("file"); !file.empty()) {
+        light.photometry = context.files.photometry(path_beside(context.messages.file(), file), reader.position("file"));
+    }
+    if (!light.photometry) {
+        reader.spoil();
+    }
+    if (reader.good() && !unit_vector(glm::cross(light.direction, light.forward))) {
+        reader.error(reader.position(), "\"forward\" must not point along \"direction\"");
+    }
+    return light;
 }
 
 struct ReadLight {
@@ -59,7 +136,7 @@ std::optional<ReadLight> read_light(Context& context, const toml::table& table) 
                                      : node ? fmt::format(", not {}", what_it_is(*node))
                                             : "";
         messages.error(messages.at(node ? *node : table),
-                       fmt::format("a light needs \"type\": \"point\", \"spot\" or \"directional\"{}{}", not_this, hint));
+                       fmt::format("a light needs \"type\": {}{}{}", alternatives({types.begin(), types.end()}), not_this, hint));
         return std::nullopt;
     }
     const std::size_t kind = static_cast<std::size_t>(found - types.begin());
@@ -73,21 +150,32 @@ std::optional<ReadLight> read_light(Context& context, const toml::table& table) 
             light.model = scene::PointLight{reader.vector3("position")};
             break;
         case 1:
-            light.model = read_spot(reader);
+            light.model = read_spot(context, reader);
             break;
-        default:
+        case 2:
             light.model = scene::DirectionalLight{reader.direction("direction")};
             break;
+        case 3:
+            light.model = read_projector(context, reader);
+            break;
+        case 4:
+            light.model = read_goniometric(context, reader);
+            break;
+        default:
+            light.model = read_ies_light(context, reader);
+            break;
+    }
+    light.power = read_color_if_written(context, reader, "power");
+    if (!reader.good() && kind > 2) {
+        return std::nullopt;
+    }
+    if (kind > 2) {
+        result.has_intensity = true;
+        light.intensity = 0.0;
+        light.power = light.power.value_or(scene::Color());
+        return result;
     }
     light.color = read_color(context, reader, "color");
-    light.power = read_color_if_written(context, reader, "power");
-    if (reader.has("power")) {
-        for (const char* key : {"intensity", "color"}) {
-            if (reader.has(key)) {
-                reader.error(key, fmt::format("a light has either \"power\", in physical scenes, or \"{}\"", key));
-            }
-        }
-    }
     const auto intensity = reader.number_if_written("intensity");
     result.has_intensity = reader.has("intensity") || light.power;
     light.intensity = intensity.value_or(0.0);
@@ -130,11 +218,27 @@ void share_out(Messages& messages, std::vector<ReadLight>& all) {
 
 }  // namespace
 
-void read_lights(Context& context, const toml::table& root) {
+void read_lights(Context& context, const std::vector<Included>& included, const toml::table& root) {
     std::vector<ReadLight> all;
+    for (const Included& part : included) {
+        for (const scene::Light& light : part.lights) {
+            all.push_back({light, true});
+        }
+    }
+    const std::size_t others = all.size();
     for (const toml::table* table : tables_of(context.messages, root, "light")) {
-        if (auto light = read_light(context, *table)) {
-            all.push_back(std::move(*light));
+        auto read = read_light(context, *table);
+        if (!read) {
+            continue;
+        }
+        const auto end = all.begin() + static_cast<std::ptrdiff_t>(others);
+        const auto same = read->light.name.empty() ? end : std::find_if(all.begin(), end, [&](const ReadLight& other) {
+            return other.light.name == read->light.name;
+        });
+        if (same != end) {
+            *same = std::move(*read);
+        } else {
+            all.push_back(std::move(*read));
         }
     }
     share_out(context.messages, all);

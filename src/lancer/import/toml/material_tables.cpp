@@ -24,10 +24,11 @@ Table physical(std::string_view type, std::string_view help, std::vector<Key> ke
     table.keys.push_back({"emission_strength", Kind::number, 1.0, not_negative, "", "Multiplies emission."});
     table.keys.push_back({"emission_sides", Kind::choice, "front", any, "", "Whether it shines outwards only.", false, {"front", "both"}});
     table.keys.push_back({"opacity", Kind::value, 1.0, share, "", "How much of it is there; light passes by the rest."});
-    table.keys.push_back(
-        {"opacity_cutoff", Kind::number, 0.0, share, "", "Above 0: it is there where the opacity is at least this, and nowhere else."});
+    table.keys.push_back({"opacity_cutoff", Kind::number, 0.0, not_negative, "",
+                          "Above 0: it is there where the opacity is at least this, and nowhere else."});
     table.keys.push_back({"behind", Kind::material, none, any, "", "The material that is seen from within, instead of this one."});
     table.keys.push_back({"one_sided", Kind::flag, false, any, "", "Black when seen from within."});
+    table.keys.push_back({"open_behind", Kind::flag, false, any, "", "Not there when seen from within."});
     if (type != "mix") {
         table.keys.push_back({"normal_map", Kind::texture, glm::dvec3(0.5, 0.5, 1.0), share, "",
                               "Bends the normals: red along u, green along v, blue outwards, 0.5 standing for none."});
@@ -146,7 +147,7 @@ const Table& principled_material() {
          {"metalness", Kind::value, 0.0, share, "", "From 0, none, to 1, a metal."},
          {"roughness", Kind::value, 0.3, share, "", "From 0, polished, to 1; its square is the width of the facets' slopes."},
          anisotropy,
-         {"refraction", Kind::number, 1.5, Range{1.0, 3.0}, "", "The refractive index of the base where it is no metal."},
+         {"refraction", Kind::number, 1.5, Range{1.0, 1000.0}, "", "The refractive index of the base where it is no metal."},
          {"specular", Kind::texture, glm::dvec3(1.0), share, "", "A tint of what the border of the base reflects; white in nature."},
          {"transmission", Kind::value, 0.0, share, "", "How much of the base is a clear body."},
          {"thin", Kind::flag, false, any, "", "A sheet without inside: what passes through is not bent."},
@@ -156,7 +157,7 @@ const Table& principled_material() {
          {"sheen", Kind::texture, origin, share, "", "Light from fine fibres, as of velvet."},
          {"sheen_roughness", Kind::value, 0.3, share, "", "Of the fibres."},
          {"film", Kind::value, 0.0, Range{0.0, 10000.0}, "nm", "The thickness of a film that shimmers in colours; 0 for none."},
-         {"film_refraction", Kind::number, 1.3, Range{1.0, 3.0}, "", "The refractive index of the film."},
+         {"film_refraction", Kind::number, 1.3, Range{1.0, 10.0}, "", "The refractive index of the film."},
          {"dispersion", Kind::number, 0.0, Range{0.0, 10.0}, "",
           "How far the clear body parts the colours: 20 over its Abbe number, as in glTF."},
          interior,

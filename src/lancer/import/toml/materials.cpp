@@ -348,15 +348,19 @@ void Materials::read_sides(TableReader& reader, scene::Material& material) {
         material.behind = behind;
     }
     material.one_sided = reader.flag("one_sided");
+    material.open_behind = reader.flag("open_behind");
     if (reader.has("opacity_cutoff") && !reader.has("opacity")) {
         reader.error("opacity_cutoff", "\"opacity_cutoff\" needs \"opacity\" beside it");
     }
     if (reader.has("behind") && material.one_sided) {
         reader.error("one_sided", "a material has either \"behind\" or one_sided = true");
     }
+    if (material.open_behind && (reader.has("behind") || material.one_sided)) {
+        reader.error("open_behind", "a material that is not there from behind has neither \"behind\" nor one_sided = true");
+    }
 }
 
-void Materials::read_named(const toml::table& root) {
+void Materials::read_names(const toml::table& root) {
     const toml::node* node = root.get("material");
     if (!node) {
         return;
@@ -367,18 +371,13 @@ void Materials::read_named(const toml::table& root) {
                                                                          node->is_array() ? "[[material]]" : what_it_is(*node)));
         return;
     }
-    struct Written {
-        const toml::key* key;
-        const toml::node* node;
-    };
-    std::vector<Written> in_order;  // of the file; toml++ sorts by name
     for (const auto& [key, value] : *all) {
-        in_order.push_back({&key, &value});
+        in_order_.push_back({&key, &value});
     }
     const auto place_of = [](const Written& w) { return std::pair(w.key->source().begin.line, w.key->source().begin.column); };
-    std::sort(in_order.begin(), in_order.end(), [&](const Written& a, const Written& b) { return place_of(a) < place_of(b); });
+    std::sort(in_order_.begin(), in_order_.end(), [&](const Written& a, const Written& b) { return place_of(a) < place_of(b); });
     // First the names, since mixes speak of others that may come later; those written in place come after all of them.
-    for (const Written& written : in_order) {
+    for (const Written& written : in_order_) {
         const std::string name(written.key->str());
         if (written.node->is_table()) {
             by_name_[name] = static_cast<int>(context_.scene.materials.size());
@@ -393,7 +392,10 @@ void Materials::read_named(const toml::table& root) {
         }
     }
     used_.assign(context_.scene.materials.size(), false);
-    for (const Written& written : in_order) {
+}
+
+void Materials::read_named() {
+    for (const Written& written : in_order_) {
         if (const toml::table* table = written.node->as_table()) {
             const std::string name(written.key->str());
             scene::Material material = read_table(*table);
@@ -401,6 +403,37 @@ void Materials::read_named(const toml::table& root) {
             context_.scene.materials[static_cast<std::size_t>(by_name_[name])] = std::move(material);
         }
     }
+}
+
+std::vector<int> Materials::adopt(std::vector<scene::Material>&& included) {
+    std::vector<scene::Material>& all = context_.scene.materials;
+    const int first = static_cast<int>(all.size());
+    std::vector<int> numbers;
+    for (std::size_t i = 0; i < included.size(); ++i) {
+        const std::string& name = included[i].name;
+        const auto known = name.empty() ? by_name_.end() : by_name_.find(name);
+        if (known != by_name_.end() && static_cast<std::size_t>(known->second) < used_.size()) {
+            used_[static_cast<std::size_t>(known->second)] = true;
+            numbers.push_back(known->second);
+        } else {
+            numbers.push_back(first + static_cast<int>(i));
+        }
+    }
+    for (std::size_t i = 0; i < included.size(); ++i) {
+        scene::Material& material = all.emplace_back(std::move(included[i]));
+        const auto renumbered = [&](int old) { return numbers[static_cast<std::size_t>(old)]; };
+        if (material.behind) {
+            material.behind = renumbered(*material.behind);
+        }
+        if (auto* mix = std::get_if<scene::MixMaterial>(&material.model)) {
+            mix->first = renumbered(mix->first);
+            mix->second = renumbered(mix->second);
+        }
+        if (!material.name.empty()) {
+            by_name_.try_emplace(material.name, first + static_cast<int>(i));
+        }
+    }
+    return numbers;
 }
 
 int Materials::read(TableReader& reader, std::string_view key) {
@@ -419,7 +452,9 @@ int Materials::read(TableReader& reader, std::string_view key) {
         return -1;
     }
     if (const auto found = by_name_.find(string->get()); found != by_name_.end()) {
-        used_[static_cast<std::size_t>(found->second)] = true;
+        if (static_cast<std::size_t>(found->second) < used_.size()) {
+            used_[static_cast<std::size_t>(found->second)] = true;
+        }
         return found->second;
     }
     reader.spoil();

@@ -14,8 +14,13 @@ class Materials {
 public:
     explicit Materials(Context& context) : context_(context) {}
 
-    // All [material.NAME] of the file, in its order.
-    void read_named(const toml::table& root);
+    // The names of all [material.NAME] of the file, in its order; what they are is read afterwards.
+    void read_names(const toml::table& root);
+    void read_named();
+
+    // Those of an included file: the index that each has in this scene. Where this file has a material of that name, it is the one that is meant.
+    // The others can be spoken of by their names as well.
+    std::vector<int> adopt(std::vector<scene::Material>&& included);
 
     // The value of a key `material`: an index into Scene::materials; -1 when the key is not written or wrong.
     int read(TableReader& reader, std::string_view key);
@@ -32,7 +37,12 @@ private:
 
     Context& context_;
     std::map<std::string, int, std::less<>> by_name_;
-    std::vector<bool> used_;  // of the named ones, which come first
+    struct Written {
+        const toml::key* key;
+        const toml::node* node;
+    };
+    std::vector<Written> in_order_;  // of the file; toml++ sorts by name
+    std::vector<bool> used_;         // of the named ones, which come first
     int preset_ = -1;
 };
 

@@ -69,7 +69,8 @@ const Table& grid() {
           "when not written."},
          *place().find("scale"),
          *place().find("rotate"),
-         *place().find("translate")}};
+         *place().find("translate"),
+         *place().find("matrix")}};
     return table;
 }
 

@@ -43,7 +43,8 @@ std::span<const Table* const> shapes() {
 }
 
 std::span<const Table* const> lights() {
-    static const Table* const all[] = {&point_light(), &spot_light(), &directional_light()};
+    static const Table* const all[] = {&point_light(),     &spot_light(),        &directional_light(),
+                                       &projector_light(), &goniometric_light(), &ies_light()};
     return all;
 }
 
@@ -72,7 +73,9 @@ std::span<const Section> file_sections() {
                                                          {Form::named, "medium", {&medium()}},
                                                          {Form::list, "group", {&group()}},
                                                          {Form::list, "place", {&place()}},
+                                                         {Form::list, "include", {&include()}},
                                                          {Form::color, "background", {&background()}},
+                                                         {Form::single, "sky", {&clear_sky()}},
                                                          {Form::color, "ambient", {&ambient()}},
                                                          {Form::single, "render", {&render()}}});
     return all;

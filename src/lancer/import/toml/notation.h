@@ -36,10 +36,12 @@ enum class Kind {
     material,    // a name, or a material written in place
     grid,        // { file = "smoke.vdb" }, { cells = [...], values = [...], min = [...], max = [...] }
     rotation,    // degrees about x, y, z; or { axis = [...], angle = ... }
+    matrix,      // twelve numbers: the upper three rows of a 4 x 4 matrix, one row after the other
     scale,       // 2 or [1, 2, 3]
     vectors3,    // a list of [x, y, z]
     vectors2,    // a list of [u, v]
     numbers,     // a list
+    texts,       // { name = "text", ... }
     triangles    // a list of [a, b, c], whole numbers from 0
 };
 
@@ -85,6 +87,9 @@ const Table& camera();
 const Table& point_light();
 const Table& spot_light();
 const Table& directional_light();
+const Table& projector_light();
+const Table& goniometric_light();
+const Table& ies_light();
 const Table& whitted_material();
 const Table& diffuse_material();
 const Table& conductor_material();
@@ -115,7 +120,9 @@ const Table& cone();
 const Table& mesh();
 const Table& place();
 const Table& group();
+const Table& include();
 const Table& background();
+const Table& clear_sky();
 const Table& ambient();
 const Table& render();
 

@@ -85,6 +85,10 @@ Json value_schema(const Key& key) {
             return reference("grid");
         case Kind::rotation:
             return {{"anyOf", Json::array({list(numbers(key.range, "number"), 3), reference("axis_rotation")})}};
+        case Kind::matrix:
+            return list(numbers(key.range, "number"), 12);
+        case Kind::texts:
+            return {{"type", "object"}, {"additionalProperties", Json{{"type", "string"}}}};
         case Kind::scale:
             return {{"anyOf", Json::array({numbers(key.range, "number"), list(numbers(key.range, "number"), 3)})}};
         case Kind::vectors3:
@@ -186,7 +190,7 @@ Json definitions() {
     for (const Table* table : shapes()) {
         all[std::string(table->name)] = table_schema(*table);
     }
-    for (const Table* table : {&place(), &background(), &ambient(), &render()}) {
+    for (const Table* table : {&place(), &include(), &background(), &clear_sky(), &ambient(), &render()}) {
         all[std::string(table->name)] = table_schema(*table);
     }
 

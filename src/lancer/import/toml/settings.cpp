@@ -1,6 +1,8 @@
 #include "lancer/import/toml/settings.h"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -8,6 +10,7 @@
 #include "lancer/base/file.h"
 #include "lancer/import/toml/colors.h"
 #include "lancer/import/toml/spectra.h"
+#include "lancer/scene/sun_position.h"
 
 namespace lancer::notation {
 
@@ -43,15 +46,16 @@ scene::Background read_colors(Context& context, TableReader& reader) {
 }
 
 glm::dmat3 read_axes(TableReader& reader) {
-    const std::vector<glm::vec3> axes = reader.vectors3("axes");
-    if (axes.empty()) {
-        return glm::dmat3(1.0);  // said already
-    }
+    const Key& key = reader.described("axes", Kind::vectors3);
+    const toml::array* list = reader.value("axes", Kind::vectors3)->as_array();
     constexpr double tolerance = 1e-4;
     glm::dmat3 result(1.0);
-    bool right = axes.size() == 3;
+    bool right = list != nullptr && list->size() == 3;
     for (int i = 0; right && i < 3; ++i) {
-        result[i] = glm::dvec3(axes[static_cast<std::size_t>(i)]);
+        if (!read_numbers(reader.messages(), *list->get(static_cast<std::size_t>(i)), key, 3, "three numbers [x, y, z]", &result[i].x)) {
+            reader.spoil();
+            return glm::dmat3(1.0);  // said already
+        }
         right = std::abs(glm::dot(result[i], result[i]) - 1.0) < tolerance;
         for (int j = 0; j < i; ++j) {
             right = right && std::abs(glm::dot(result[i], result[j])) < tolerance;
@@ -76,7 +80,9 @@ scene::Background read_background_table(Context& context, TableReader& reader) {
         scene::ImageTexture image;
         image.file = path_beside(context.messages.file(), file);
         image.position = reader.position("image");
-        if (context.files.image(image.file, image.position)) {
+        image.linear = reader.choice("encoding") == 1;
+        image.tint = read_rgb(reader, "tint");
+        if (context.files.image(image, image.position)) {
             result.image = image;
         } else {
             reader.spoil();
@@ -85,6 +91,11 @@ scene::Background read_background_table(Context& context, TableReader& reader) {
         for (const char* key : {"rotation", "axes"}) {
             if (reader.has(key)) {
                 reader.error(key, fmt::format("\"{}\" turns an \"image\"; this background has none", key));
+            }
+        }
+        for (const char* key : {"encoding", "tint"}) {
+            if (reader.has(key)) {
+                reader.error(key, fmt::format("\"{}\" is said of an \"image\"; this background has none", key));
             }
         }
     }
@@ -114,6 +125,60 @@ void read_background(Context& context, const toml::node& node) {
     }
 }
 
+void read_sky(Context& context, const toml::node& node, bool has_background) {
+    const toml::table* table = node.as_table();
+    if (!table) {
+        context.messages.error(context.messages.at(node),
+                               fmt::format("write [sky] instead of {}", node.is_array() ? "[[sky]]" : what_it_is(node)));
+        return;
+    }
+    TableReader reader(context.messages, *table, clear_sky());
+    if (has_background) {
+        reader.error(reader.position(), "a scene has either [background] or [sky]");
+    }
+    scene::ClearSky sky;
+    const double heading = reader.number("heading");
+    const bool by_time = reader.has("latitude") || reader.has("longitude") || reader.has("time");
+    const bool by_angles = reader.has("elevation") || reader.has("azimuth");
+    const auto has_all = [&](std::initializer_list<const char*> keys) {
+        return std::all_of(keys.begin(), keys.end(), [&](const char* key) { return reader.has(key); });
+    };
+    const auto latitude = reader.number_if_written("latitude"), longitude = reader.number_if_written("longitude");
+    const auto elevation = reader.number_if_written("elevation"), azimuth = reader.number_if_written("azimuth");
+    if (reader.has("toward_sun") && !by_time && !by_angles) {
+        sky.sun = reader.direction("toward_sun");
+        sky.distance = reader.number("sun_distance");
+    } else if (reader.has("toward_sun") || reader.has("sun_distance") || by_time == by_angles ||
+               (by_time && !has_all({"latitude", "longitude", "time"})) || (by_angles && !has_all({"elevation", "azimuth"}))) {
+        reader.error(reader.position(),
+                     "[sky] needs either \"latitude\", \"longitude\" and \"time\", or \"elevation\" and \"azimuth\", or \"toward_sun\"");
+    } else if (by_time) {
+        const auto days = scene::days_since_2000(reader.text("time"));
+        if (!days) {
+            reader.error("time", "expected a date and time from 1950 to 2050, such as \"2026-06-21T14:00:00+02:00\"");
+        } else if (latitude && longitude) {
+            const scene::SunPosition sun = scene::sun_position(*days, *latitude, *longitude);
+            sky.sun = scene::sun_direction(sun.elevation, sun.azimuth, heading);
+            sky.distance = sun.distance;
+            if (sun.elevation < -18.0) {
+                reader.error(
+                    "time", fmt::format("the sun is {:.1f} degrees below the horizon: there is no light of it in the air", -sun.elevation));
+            } else if (sun.elevation < 0.0) {
+                context.messages.note(reader.position("time"), fmt::format("the sun is {:.1f} degrees below the horizon", -sun.elevation));
+            }
+        }
+    } else if (elevation && azimuth) {
+        sky.sun = scene::sun_direction(*elevation, *azimuth, heading);
+    }
+    sky.turbidity = reader.number("turbidity");
+    sky.ozone = reader.number("ozone");
+    sky.ground = reader.number("ground");
+    sky.has_sun = reader.flag("sun");
+    context.scene.background.strength = reader.number("strength");
+    context.scene.background.visible = reader.flag("visible");
+    context.scene.background.sky = sky;
+}
+
 void read_ambient(Context& context, const toml::node& node) {
     if (const toml::table* table = node.as_table(); table && !is_spectrum(*table)) {
         TableReader reader(context.messages, *table, ambient());
@@ -132,36 +197,57 @@ void read_render(Context& context, const toml::node& node) {
     }
     TableReader reader(context.messages, *table, render());
     scene::RenderSettings& settings = context.scene.settings;
-    const glm::ivec2 size = reader.size("size");
-    settings.width = size.x;
-    settings.height = size.y;
-    settings.integrator = render().find("integrator")->words[reader.choice("integrator")];
-    if (reader.has("bounces")) {
-        settings.bounces = reader.integer("bounces");
+    // What is not written stays: it may come from an included scene.
+    const auto flag = [&](const char* key, bool& setting) { setting = reader.has(key) ? reader.flag(key) : setting; };
+    const auto integer = [&](const char* key, int& setting) { setting = reader.has(key) ? reader.integer(key) : setting; };
+    const auto number = [&](const char* key, double& setting) { setting = reader.has(key) ? reader.number(key) : setting; };
+    const auto limit = [&](const char* key, std::optional<int>& setting) {
+        setting = reader.has(key) ? std::optional<int>(reader.integer(key)) : setting;
+    };
+    const auto word = [&](const char* key, std::string& setting) {
+        setting = reader.has(key) ? std::string(render().find(key)->words[reader.choice(key)]) : setting;
+    };
+    if (reader.has("size")) {
+        const glm::ivec2 size = reader.size("size");
+        settings.width = size.x;
+        settings.height = size.y;
     }
-    const auto limit = [&](const char* key) { return reader.has(key) ? std::optional<int>(reader.integer(key)) : std::nullopt; };
-    settings.diffuse_bounces = limit("diffuse_bounces");
-    settings.glossy_bounces = limit("glossy_bounces");
-    settings.transmission_bounces = limit("transmission_bounces");
-    settings.direct_samples = static_cast<scene::DirectSamples>(reader.choice("direct_samples"));
-    settings.spp = reader.integer("spp");
-    settings.rgb = reader.flag("rgb");
-    settings.seed = reader.integer("seed");
-    settings.filter = static_cast<scene::PixelFilter>(reader.choice("filter"));
-    settings.filter_radius = reader.number_if_written("filter_radius");
-    settings.ssaa = reader.integer("ssaa");
-    settings.antialiasing = reader.choice("aa") == 0 ? scene::Antialiasing::uniform : scene::Antialiasing::adaptive;
-    settings.adaptive_threshold = reader.number("adaptive_threshold");
-    settings.adaptive_depth = reader.integer("adaptive_depth");
-    settings.min_weight = reader.number("min_weight");
-    settings.wavelengths = reader.integer("wavelengths");
-    settings.exposure = reader.number("exposure");
-    settings.view = render().find("view")->words[reader.choice("view")];
-    for (const std::size_t word : reader.choices("aovs")) {
-        settings.aovs.emplace_back(render().find("aovs")->words[word]);
+    word("integrator", settings.integrator);
+    limit("bounces", settings.bounces);
+    limit("diffuse_bounces", settings.diffuse_bounces);
+    limit("glossy_bounces", settings.glossy_bounces);
+    limit("transmission_bounces", settings.transmission_bounces);
+    if (reader.has("direct_samples")) {
+        settings.direct_samples = static_cast<scene::DirectSamples>(reader.choice("direct_samples"));
     }
-    settings.spectral_bins = reader.integer("spectral_bins");
-    settings.wide = reader.flag("float");
+    integer("spp", settings.spp);
+    flag("rgb", settings.rgb);
+    integer("seed", settings.seed);
+    if (reader.has("filter")) {
+        settings.filter = static_cast<scene::PixelFilter>(reader.choice("filter"));
+        settings.filter_radius.reset();  // that of another filter suits this one hardly
+    }
+    if (reader.has("filter_radius")) {
+        settings.filter_radius = reader.number_if_written("filter_radius");
+    }
+    integer("ssaa", settings.ssaa);
+    if (reader.has("aa")) {
+        settings.antialiasing = reader.choice("aa") == 0 ? scene::Antialiasing::uniform : scene::Antialiasing::adaptive;
+    }
+    number("adaptive_threshold", settings.adaptive_threshold);
+    integer("adaptive_depth", settings.adaptive_depth);
+    number("min_weight", settings.min_weight);
+    integer("wavelengths", settings.wavelengths);
+    number("exposure", settings.exposure);
+    word("view", settings.view);
+    if (reader.has("aovs")) {
+        settings.aovs.clear();
+    }
+    for (const std::size_t each : reader.choices("aovs")) {
+        settings.aovs.emplace_back(render().find("aovs")->words[each]);
+    }
+    integer("spectral_bins", settings.spectral_bins);
+    flag("float", settings.wide);
 }
 
 }  // namespace
@@ -169,6 +255,9 @@ void read_render(Context& context, const toml::node& node) {
 void read_settings(Context& context, const toml::table& root) {
     if (const toml::node* node = root.get("background")) {
         read_background(context, *node);
+    }
+    if (const toml::node* node = root.get("sky")) {
+        read_sky(context, *node, root.contains("background"));
     }
     if (const toml::node* node = root.get("ambient")) {
         read_ambient(context, *node);

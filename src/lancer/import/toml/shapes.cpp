@@ -128,7 +128,8 @@ MaybeShape read_mesh(Context& context, TableReader& reader) {
         }
         const std::string file = reader.text("file");
         if (!file.empty()) {
-            mesh.data = context.files.mesh(path_beside(context.messages.file(), file), reader.position("file"));
+            mesh.data = context.files.mesh(path_beside(context.messages.file(), file), reader.position("file"),
+                                           static_cast<std::size_t>(reader.integer("part")));
         }
     } else if (!reader.has("positions") || !reader.has("triangles")) {
         reader.error(reader.position(), "a mesh needs \"file\", or \"positions\" and \"triangles\"");

@@ -111,6 +111,10 @@ std::optional<glm::dvec3> unit_vector(const glm::dvec3& vector) {
     if (!(largest > 0.0) || !std::isfinite(largest)) {
         return std::nullopt;
     }
+    const double square = glm::dot(vector, vector);
+    if (square > 1.0 - 1e-14 && square < 1.0 + 1e-14) {
+        return vector;  // so that a direction that was written and read stays what it was
+    }
     return glm::normalize(vector / largest);  // divided first: squares of the written numbers might overflow or vanish
 }
 
@@ -220,7 +224,8 @@ int TableReader::integer(std::string_view key) {
 }
 
 bool TableReader::flag(std::string_view key) {
-    const bool preset = std::get<bool>(described(key, Kind::flag).preset);
+    const bool* const described_preset = std::get_if<bool>(&described(key, Kind::flag).preset);
+    const bool preset = described_preset && *described_preset;  // none: what it is depends on other keys, and the caller knows
     const toml::node* node = value(key, Kind::flag);
     if (node && !node->is_boolean()) {
         error(key, fmt::format("\"{}\" must be true or false, not {}", key, what_it_is(*node)));
@@ -365,6 +370,23 @@ std::vector<double> TableReader::numbers(std::string_view key) {
         double number = 0.0;
         good_ = read_number(messages_, *array->get(i), described(key, Kind::numbers), number) && good_;
         all.push_back(number);
+    }
+    return all;
+}
+
+std::map<std::string, std::string> TableReader::texts(std::string_view key) {
+    std::map<std::string, std::string> all;
+    const toml::node* node = value(key, Kind::texts);
+    const toml::table* table = node ? node->as_table() : nullptr;
+    if (node && !table) {
+        error(key, fmt::format("\"{}\" must be texts with their names, {{ name = \"text\" }}, not {}", key, what_it_is(*node)));
+    }
+    for (const auto& [name, item] : table ? *table : toml::table()) {
+        if (const auto* text = item.as_string()) {
+            all[std::string(name.str())] = text->get();
+        } else {
+            error(messages_.at(item), fmt::format("\"{}\" must be text in quotes, not {}", name.str(), what_it_is(item)));
+        }
     }
     return all;
 }

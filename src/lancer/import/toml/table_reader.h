@@ -1,6 +1,7 @@
 // Reads the keys of one table as its description says, and complains about everything that the description does not allow.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,6 +53,7 @@ public:
     std::vector<glm::vec2> vectors2(std::string_view key);
     std::vector<glm::uvec3> triangles(std::string_view key);
     std::vector<double> numbers(std::string_view key);
+    std::map<std::string, std::string> texts(std::string_view key);
 
     // For kinds that are read elsewhere: the value when it is written.
     const toml::node* value(std::string_view key, Kind kind) const;

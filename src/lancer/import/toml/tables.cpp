@@ -27,27 +27,45 @@ Table shape(std::string_view name, std::string_view what, std::string_view help,
     table.keys.insert(table.keys.end(), keys.begin(), keys.end());
     table.keys.push_back({"material", Kind::material, none, any, "", "The name of a [material.NAME], or a material written in place."});
     const Table& transform = place();
-    for (std::string_view key : {"scale", "rotate", "translate"}) {
+    for (std::string_view key : {"scale", "rotate", "translate", "matrix"}) {
         table.keys.push_back(*transform.find(key));
     }
     return table;
 }
 
-Table light(std::string_view type, std::string_view what, std::string_view help, std::vector<Key> keys) {
+// What every kind of light has; `intensity`: whether it can have a share of a Whitted scene's light.
+Table light(std::string_view type, std::string_view what, std::string_view help, std::vector<Key> keys, Key power, bool shared = true) {
     Table table{type,
                 what,
                 help,
                 {{"type", Kind::choice, none, any, "", "What kind of light it is.", true, {type}}, name_key("A name, for messages.")}};
     table.keys.insert(table.keys.end(), keys.begin(), keys.end());
-    table.keys.push_back({"color", Kind::color, glm::dvec3(1.0), not_negative, "", "The colour of its light."});
-    table.keys.push_back({"power", Kind::color, none, not_negative, type == "directional" ? "W/m^2" : "W/sr",
-                          "For physical scenes, instead of intensity: what it gives, weighed by the eye; and its colour."});
-    table.keys.push_back(
-        {"intensity", Kind::number, none, Range{0.0, 1e6}, "",
-         "Its share of the light. The shares of all lights sum to 1; when they do not, they are scaled. Lights without one "
-         "have equal parts of what the others leave."});
+    if (shared) {
+        table.keys.push_back({"color", Kind::color, glm::dvec3(1.0), not_negative, "", "The colour of its light."});
+    }
+    table.keys.push_back(std::move(power));
+    if (shared) {
+        table.keys.push_back(
+            {"intensity", Kind::number, none, Range{0.0, 1e6}, "",
+             "Its share of the light. The shares of all lights sum to 1; when they do not, they are scaled. Lights without one "
+             "have equal parts of what the others leave."});
+    }
     return table;
 }
+
+Key light_power(std::string_view unit) {
+    return {"power", Kind::color,
+            none,    not_negative,
+            unit,    "For physical scenes: what it gives, weighed by the eye; and its colour. There it stands for color and intensity."};
+}
+
+Key thrown_encoding() {
+    return {"encoding", Kind::choice, "srgb", any, "", "How 8 and 16 bits store colours in the image.", false, {"srgb", "linear"}};
+}
+
+Key thrown_tint() { return {"tint", Kind::rgb, glm::dvec3(1.0), not_negative, "", "Multiplies the colours of the image."}; }
+
+Key thrown_power(std::string_view help) { return {"power", Kind::color, none, not_negative, "W/sr", help, true}; }
 
 }  // namespace
 
@@ -79,25 +97,82 @@ const Table& camera() {
 
 const Table& point_light() {
     static const Table table = light("point", "a point light", "Light from a point, equal in all directions.",
-                                     {{"position", Kind::vector3, none, any, "m", "Where it stands.", true}});
+                                     {{"position", Kind::vector3, none, any, "m", "Where it stands.", true}}, light_power("W/sr"));
     return table;
 }
 
 const Table& spot_light() {
-    static const Table table =
-        light("spot", "a spot light", "A cone of light from a point.",
-              {{"position", Kind::vector3, none, any, "m", "Where it stands.", true},
-               {"direction", Kind::direction, none, any, "", "Where it shines; instead of look_at."},
-               {"look_at", Kind::vector3, none, any, "m", "The point that it shines at; instead of direction."},
-               {"angle", Kind::number, 30.0, Range{0.0, 180.0, true, true}, "degrees", "From the cone's axis to where the light ends."},
-               {"falloff", Kind::number, 5.0, Range{0.0, 180.0}, "degrees",
-                "Over how much of angle it fades, measured inwards; at most angle."}});
+    static const Table table = light(
+        "spot", "a spot light", "A cone of light from a point.",
+        {{"position", Kind::vector3, none, any, "m", "Where it stands.", true},
+         {"direction", Kind::direction, none, any, "", "Where it shines; instead of look_at."},
+         {"look_at", Kind::vector3, none, any, "m", "The point that it shines at; instead of direction."},
+         {"angle", Kind::number, 30.0, Range{0.0, 180.0, true, true}, "degrees", "From the cone's axis to where the light ends."},
+         {"falloff", Kind::number, 5.0, Range{0.0, 180.0}, "degrees", "Over how much of angle it fades, measured inwards; at most angle."},
+         {"image", Kind::file, none, any, "",
+          "A picture that dims it, thrown over the square around the cone; seen from the scene file's folder (path)."},
+         thrown_encoding(),
+         thrown_tint(),
+         {"up", Kind::direction, upwards, any, "", "What is up in the picture."}},
+        light_power("W/sr"));
     return table;
 }
 
 const Table& directional_light() {
-    static const Table table = light("directional", "a directional light", "Light from infinitely far away, such as the sun's.",
-                                     {{"direction", Kind::direction, none, any, "", "The way the light travels.", true}});
+    static const Table table =
+        light("directional", "a directional light", "Light from infinitely far away, such as the sun's.",
+              {{"direction", Kind::direction, none, any, "", "The way the light travels.", true}}, light_power("W/m^2"));
+    return table;
+}
+
+const Table& projector_light() {
+    static const Table table = light(
+        "projector", "a projector", "A picture thrown from a point (path).",
+        {{"position", Kind::vector3, none, any, "m", "Where it stands.", true},
+         {"direction", Kind::direction, none, any, "", "Where it shines; instead of look_at."},
+         {"look_at", Kind::vector3, none, any, "m", "The point in the middle of the picture; instead of direction."},
+         {"up", Kind::direction, upwards, any, "", "What is up in the picture."},
+         {"fov", Kind::number, 30.0, Range{0.0, 180.0, true, true}, "degrees", "Between two opposite edges of the picture."},
+         {"fov_axis",
+          Kind::choice,
+          "width",
+          any,
+          "",
+          "Whether fov spans the picture's width, its height, or the smaller of the two.",
+          false,
+          {"width", "height", "smaller"}},
+         {"image", Kind::file, none, any, "", "The picture, seen from the scene file's folder; a white square when not written."},
+         thrown_encoding(),
+         thrown_tint(),
+         {"even", Kind::flag, true, any, "",
+          "Whether a screen at right angles is as bright at its edges as in the middle; else the light is as intense in each direction."}},
+        thrown_power("What it gives along its axis where the picture is white, weighed by the eye; and its colour."), false);
+    return table;
+}
+
+const Table& goniometric_light() {
+    static const Table table =
+        light("goniometric", "a goniometric light", "Light from a point, in each direction as intense as a picture says (path).",
+              {{"position", Kind::vector3, none, any, "m", "Where it stands.", true},
+               {"direction", Kind::direction, glm::dvec3(0.0, 0.0, -1.0), any, "", "Where the picture's middle points."},
+               {"up", Kind::direction, upwards, any, "", "Where the picture's top points."},
+               {"image", Kind::file, none, any, "",
+                "A latitude-longitude picture, twice as wide as high, of the directions as they are seen from the light.", true},
+               thrown_encoding(),
+               thrown_tint()},
+              thrown_power("What it gives where the picture is white, weighed by the eye; and its colour."), false);
+    return table;
+}
+
+const Table& ies_light() {
+    static const Table table =
+        light("ies", "a lamp with a photometric file", "Light from a point, as intense in each direction as was measured (path).",
+              {{"position", Kind::vector3, none, any, "m", "Where it stands.", true},
+               {"file", Kind::file, none, any, "", "An .ies file (ANSI/IES LM-63), seen from the scene file's folder.", true},
+               {"direction", Kind::direction, glm::dvec3(0.0, -1.0, 0.0), any, "", "The lamp's axis: where its vertical angle 0 points."},
+               {"forward", Kind::direction, glm::dvec3(1.0, 0.0, 0.0), any, "",
+                "Where its horizontal angle 0 points, as far as it can at right angles to the axis."}},
+              thrown_power("What each candela of the file is worth, weighed by the eye; and the colour of the light."), false);
     return table;
 }
 
@@ -172,7 +247,9 @@ const Table& image() {
          {"uv_set", Kind::integer, 0.0, Range{0.0, 1.0}, "", "Which of a mesh's two sets of uv is meant."},
          {"scale", Kind::vector2, glm::dvec2(1.0), Range{-1e6, 1e6}, "", "How often the picture fits into one unit of u and v."},
          {"rotation", Kind::number, 0.0, Range{-36000.0, 36000.0}, "degrees", "Turns u and v, anticlockwise, after scale."},
-         {"offset", Kind::vector2, glm::dvec2(0.0), Range{-1e6, 1e6}, "", "Added to u and v at last."}}};
+         {"offset", Kind::vector2, glm::dvec2(0.0), Range{-1e6, 1e6}, "", "Added to u and v at last."},
+         {"tint", Kind::rgb, glm::dvec3(1.0), not_negative, "", "Multiplies its colours, not its alpha."},
+         {"vertex_colors", Kind::flag, false, any, "", "And so do the colours and alphas of the mesh's vertices."}}};
     return table;
 }
 
@@ -180,7 +257,8 @@ const Table& vertex_color() {
     static const Table table{"vertex_color",
                              "a vertex color",
                              "The colours that a mesh brings along for its vertices; white where it has none.",
-                             {{"type", Kind::choice, none, any, "", "vertex_color", true, {"vertex_color"}}}};
+                             {{"type", Kind::choice, none, any, "", "vertex_color", true, {"vertex_color"}},
+                              {"tint", Kind::rgb, glm::dvec3(1.0), not_negative, "", "Multiplies them."}}};
     return table;
 }
 
@@ -188,7 +266,8 @@ const Table& face_color() {
     static const Table table{"face_color",
                              "a face color",
                              "The colours that a mesh brings along for its faces; white where it has none.",
-                             {{"type", Kind::choice, none, any, "", "face_color", true, {"face_color"}}}};
+                             {{"type", Kind::choice, none, any, "", "face_color", true, {"face_color"}},
+                              {"tint", Kind::rgb, glm::dvec3(1.0), not_negative, "", "Multiplies them."}}};
     return table;
 }
 
@@ -241,7 +320,34 @@ const Table& place() {
          {"scale", Kind::scale, glm::dvec3(1.0), Range{-1e9, 1e9}, "", "Applied first: one number or one for each axis."},
          {"rotate", Kind::rotation, origin, Range{-1e6, 1e6}, "degrees",
           "Applied second: about x, then y, then z; or { axis = [x, y, z], angle = degrees }."},
-         {"translate", Kind::vector3, origin, any, "m", "Applied last."}}};
+         {"translate", Kind::vector3, origin, any, "m", "Applied last."},
+         {"matrix", Kind::matrix, none, Range{-1e15, 1e15}, "",
+          "Instead of these three: the upper three rows of a 4 x 4 matrix, one after the other; the fourth of each is in metres."}}};
+    return table;
+}
+
+const Table& include() {
+    static const Table table{
+        "include",
+        "an include",
+        "Another scene file, of any format that can be read, as a part of this one. What this file gives a name that the other one uses, "
+        "too, "
+        "is meant in both: materials, lights, cameras.",
+        {{"file", Kind::file, none, any, "", "The scene: .toml, .gltf, .glb, .pbrt, .xml, .obj or .ply, seen from the scene file's folder.",
+          true},
+         name_key("With a name it is a group: not seen until a [[place]] names it, and its lights and cameras are left out."),
+         {"material", Kind::material, none, any, "", "Replaces the materials of everything in it."},
+         {"lights", Kind::flag, true, any, "", "Whether its lights and surroundings shine here; shapes that are lamps always do."},
+         {"cameras", Kind::flag, true, any, "", "Whether its cameras are here as well, behind those of this file."},
+         {"settings", Kind::flag, true, any, "", "Whether what it says about rendering holds where this file's [render] says nothing."},
+         {"frame", Kind::number, 0.0, any, "s", "The moment of its animations (glTF)."},
+         {"scene", Kind::text, none, any, "", "Which of its scenes, by name or number from 0 (glTF)."},
+         {"variant", Kind::text, none, any, "", "Which of its sets of materials (glTF)."},
+         {"define", Kind::texts, none, any, "", "Values for its $parameters (Mitsuba)."},
+         *place().find("scale"),
+         *place().find("rotate"),
+         *place().find("translate"),
+         *place().find("matrix")}};
     return table;
 }
 
@@ -305,7 +411,8 @@ const Table& mesh() {
     static const Table table =
         shape("mesh", "a mesh", "Triangles, from a file or written here; counter-clockwise seen from outside.",
               {{"file", Kind::file, none, any, "",
-                "An .obj or .ply file, seen from the scene file's folder; instead of positions and triangles."},
+                "An .obj, .ply or .meshes file, seen from the scene file's folder; instead of positions and triangles."},
+               {"part", Kind::integer, 0.0, Range{0.0, 1e9}, "", "Which mesh of a .meshes file, counted from 0."},
                {"positions", Kind::vectors3, none, any, "m", "The corners, [x, y, z] each."},
                {"triangles", Kind::triangles, none, corner, "", "Three numbers of corners each, counted from 0."},
                {"normals", Kind::vectors3, none, Range{-1e6, 1e6}, "", "One for each corner."},
@@ -328,10 +435,40 @@ const Table& background() {
          {"image", Kind::file, none, any, "",
           "A latitude-longitude picture, twice as wide as high, best an .exr or .hdr; instead of colors. Its middle lies along "
           "-z, its right half towards +x."},
+         {"encoding", Kind::choice, "srgb", any, "", "How 8 and 16 bits store colours in the image.", false, {"srgb", "linear"}},
          {"rotation", Kind::number, 0.0, Range{-36000.0, 36000.0}, "degrees",
           "Turns the image about the y axis, counter-clockwise as seen from above."},
+         {"tint", Kind::rgb, glm::dvec3(1.0), not_negative, "", "Multiplies the colours of the image."},
          {"axes", Kind::vectors3, none, Range{-1.0, 1.0}, "",
           "Where x, y and z of the turned image lie: three directions of length 1, at right angles."},
+         {"strength", Kind::number, 1.0, not_negative, "", "Times this."},
+         {"visible", Kind::flag, true, any, "", "Whether the camera sees it, and not only what it lights (path)."}}};
+    return table;
+}
+
+const Table& clear_sky() {
+    static const Table table{
+        "sky",
+        "the sky",
+        "A clear sky with the sun, computed from what the air is made of (path; in colors for whitted). Instead of a background. Its unit "
+        "is "
+        "W/(m^2 sr nm).",
+        {{"latitude", Kind::number, none, Range{-90.0, 90.0}, "degrees", "The place, to the north; with longitude and time."},
+         {"longitude", Kind::number, none, Range{-180.0, 180.0}, "degrees", "The place, to the east."},
+         {"time", Kind::text, none, any, "",
+          "Date and time, such as \"2026-06-21T14:00:00+02:00\", with the difference from Universal Time; 1950 to 2050."},
+         {"elevation", Kind::number, none, Range{-18.0, 90.0}, "degrees",
+          "Of the sun above the horizon; with azimuth, instead of place and time."},
+         {"azimuth", Kind::number, none, Range{-360.0, 360.0}, "degrees", "Of the sun, from north over east."},
+         {"toward_sun", Kind::direction, none, any, "",
+          "The direction towards the sun; instead of place and time, or elevation and azimuth."},
+         {"sun_distance", Kind::number, 1.0, Range{0.5, 2.0}, "au", "How far the sun is, in astronomical units; place and time know it."},
+         {"heading", Kind::number, 0.0, Range{-360.0, 360.0}, "degrees", "Where -z looks, from north over east."},
+         {"turbidity", Kind::number, 3.0, Range{1.0, 10.0}, "", "How hazy the air is: 1 pure, 2 to 3 clear, 10 thick haze."},
+         {"ozone", Kind::number, 0.3, Range{0.0, 1.0}, "atm-cm", "The ozone overhead."},
+         {"ground", Kind::number, 0.2, share, "",
+          "The share of light that the ground scatters back into the air; what is seen below the horizon."},
+         {"sun", Kind::flag, true, any, "", "Whether the sun itself is there, and not only its light in the air."},
          {"strength", Kind::number, 1.0, not_negative, "", "Times this."},
          {"visible", Kind::flag, true, any, "", "Whether the camera sees it, and not only what it lights (path)."}}};
     return table;

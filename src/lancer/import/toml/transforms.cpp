@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
 
 namespace lancer::notation {
 
@@ -77,7 +78,50 @@ glm::dmat4 read_rotation(TableReader& reader) {
 
 }  // namespace
 
+namespace {
+
+// What is flat has no inverse.
+constexpr double flattest = 1e-9;  // volume of the image of the unit cube, over that of a box with the same edges
+
+glm::dmat4 read_matrix(TableReader& reader) {
+    const Key& key = reader.described("matrix", Kind::matrix);
+    const toml::node& node = *reader.value("matrix", Kind::matrix);
+    for (const char* other : {"scale", "rotate", "translate"}) {
+        if (reader.has(other)) {
+            reader.error(other, fmt::format("something is placed by either \"matrix\" or \"{}\"", other));
+        }
+    }
+    double rows[12] = {};
+    if (!read_numbers(reader.messages(), node, key, 12, "the upper three rows of a matrix, one after the other", rows)) {
+        reader.spoil();
+        return glm::dmat4(1.0);
+    }
+    glm::dmat4 map(1.0);
+    for (int i = 0; i < 12; ++i) {
+        map[i % 4][i / 4] = rows[i];
+    }
+    double edges = 1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double length = glm::length(glm::dvec3(map[axis]));
+        edges *= length;
+        if (length < smallest_scale) {
+            reader.error("matrix", fmt::format("column {} of \"matrix\" is nearly 0: nothing would be left", axis + 1));
+            return glm::dmat4(1.0);
+        }
+    }
+    if (!(std::abs(glm::determinant(glm::dmat3(map))) > flattest * edges)) {
+        reader.error("matrix", "this \"matrix\" makes everything flat");
+        return glm::dmat4(1.0);
+    }
+    return map;
+}
+
+}  // namespace
+
 glm::dmat4 read_transform(TableReader& reader) {
+    if (reader.has("matrix")) {
+        return read_matrix(reader);
+    }
     const glm::dvec3 scale = read_scale(reader);
     const glm::dmat4 rotate = read_rotation(reader);
     const glm::dvec3 translate = reader.vector3("translate");

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "lancer/base/diagnostic.h"
-#include "lancer/scene/scene.h"
+#include "lancer/scene/media.h"
 
 namespace lancer {
 

@@ -257,7 +257,9 @@ FN_LARGE FilmSplat join_light_to_camera(IN(WorldRecord) world, IN(LightStart) st
         // Radiance is even over all directions of a lamp: what was drawn for one serves for another.
         Float undone = start.emission.density.place * start.emission.density.direction / max(start.emission.cosine, Float(SMALLEST));
         Spectrum radiance = start.emission.light * (undone / start.chance);
-        Float of_lamp = cosine * sight.density / start.emission.density.place;
+        // Of lamps with two sides only one was drawn: 2 there, else 1.
+        Float sides = start.emission.cosine * Float(1.0f / PI) / max(start.emission.density.direction, Float(SMALLEST));
+        Float of_lamp = cosine * sides * sight.density / start.emission.density.place;
         Float of_sky = camera_density(world.camera, -start.emission.direction) / start.emission.density.direction;
         Ray shadow;
         shadow.origin =

@@ -4,6 +4,7 @@
 #ifndef LANCER_KERNEL_BIDIRECTIONAL_MERGE_H
 #define LANCER_KERNEL_BIDIRECTIONAL_MERGE_H
 
+#include "lancer/kernel/bidirectional/join.h"
 #include "lancer/kernel/bidirectional/subpath.h"
 
 NAMESPACE_BEGIN

@@ -117,6 +117,15 @@ FN AreaPoint triangle_point(IN(WorldRecord) world, IN(EmitterRecord) emitter, Ve
     return point;
 }
 
+// One triangle of a large mesh.
+FN AreaPoint part_point(IN(WorldRecord) world, IN(EmitterRecord) emitter, Vec2 u, Mask mask) {
+    Vec2 on = on_triangle(u);
+    AreaPoint point;
+    point.at = mesh_surface(world, emitter.index, Int(emitter.first_share), on.x, on.y, mask);
+    point.density = Float(1.0f / emitter.area);
+    return point;
+}
+
 // Per square metre, of a triangle of a mesh: the same everywhere, but where a texture makes some brighter.
 FN Float mesh_density(IN(WorldRecord) world, IN(EmitterRecord) emitter, Int part, Mask mask) {
     Float density = Float(1.0f / emitter.area);

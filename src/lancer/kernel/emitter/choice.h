@@ -3,11 +3,11 @@
 #define LANCER_KERNEL_EMITTER_CHOICE_H
 
 #include "lancer/kernel/distribution.h"
+#include "lancer/kernel/emitter/light_tree.h"
+#include "lancer/kernel/emitter/thrown.h"
 #include "lancer/kernel/light.h"
 
 NAMESPACE_BEGIN
-
-const float LEAST_SLANT = 0.05f;  // what a mirror makes of a grazing lamp is not weighed too low
 
 // About the irradiance that the emitter can make at a point: what the choice among emitters is weighed by. Never 0 where light arrives. `facing` is
 // the normal there, length 1, of a surface that takes no light from behind; 0: from anywhere.
@@ -32,6 +32,10 @@ FN Float emitter_weight(IN(EmitterRecord) emitter, Vec3 from, Vec3 facing) {
         if (emitter.kind == EMITTER_SPOT) {
             weight = weight * spot_share(-dot(towards, broadcast(emitter.direction)) / distance, emitter.cos_outer, emitter.cos_inner);
         }
+        if (is_thrown(emitter)) {
+            Float cosine = -dot(towards, broadcast(emitter.direction)) / distance;
+            weight = select(cosine < Float(emitter.cos_outer), Float(0.0f), weight);
+        }
         if (emitter.planar != 0) {
             // Nothing reaches points in its plane, or behind it; those near the plane see little of it.
             Float slant = -dot(towards, broadcast(emitter.direction)) / distance;
@@ -42,19 +46,12 @@ FN Float emitter_weight(IN(EmitterRecord) emitter, Vec3 from, Vec3 facing) {
     return weight;
 }
 
-struct EmitterChoice {
-    Int emitter;  // -1: none can be seen
-    Float chance;
-};
-
-FN EmitterChoice choose_emitter(IN(WorldRecord) world, Vec3 from, Vec3 facing, Float u, Mask mask) {
+// Those that are so few that each is looked at.
+FN EmitterChoice choose_among_few(IN(WorldRecord) world, Vec3 from, Vec3 facing, Float u) {
     EmitterChoice choice;
     choice.emitter = Int(-1);
     choice.chance = Float(0.0f);
-    if (world.chosen_by_strength != 0) {
-        choice.emitter = find_share(world, Int(0), world.emitter_count, u, mask);
-        choice.chance = own_share(world, Int(0), choice.emitter, mask);
-    } else if (world.emitter_count == 1) {
+    if (world.emitter_count == 1) {
         Mask seen = emitter_weight(AT(world.emitters, 0), from, facing) > Float(0.0f);
         choice.emitter = select(seen, Int(0), Int(-1));
         choice.chance = select(seen, Float(1.0f), Float(0.0f));
@@ -76,11 +73,9 @@ FN EmitterChoice choose_emitter(IN(WorldRecord) world, Vec3 from, Vec3 facing, F
     return choice;
 }
 
-FN Float emitter_chance(IN(WorldRecord) world, Vec3 from, Vec3 facing, Int emitter, Mask mask) {
+FN Float chance_among_few(IN(WorldRecord) world, Vec3 from, Vec3 facing, Int emitter) {
     Float chance = Float(0.0f);
-    if (world.chosen_by_strength != 0) {
-        chance = own_share(world, Int(0), select(is_above(emitter, Int(-1)), emitter, Int(0)), mask);
-    } else if (world.emitter_count == 1) {
+    if (world.emitter_count == 1) {
         chance = select(emitter_weight(AT(world.emitters, 0), from, facing) > Float(0.0f), Float(1.0f), Float(0.0f));
     } else {
         Float sum = Float(0.0f);
@@ -91,6 +86,62 @@ FN Float emitter_chance(IN(WorldRecord) world, Vec3 from, Vec3 facing, Int emitt
             own = select(is_equal(emitter, Int(i)), weight, own);
         }
         chance = select(sum > Float(0.0f), own / max(sum, Float(SMALLEST)), Float(0.0f));
+    }
+    return chance;
+}
+
+FN EmitterChoice choose_emitter(IN(WorldRecord) world, Vec3 from, Vec3 facing, Float u, Mask mask) {
+    EmitterChoice choice;
+    if (world.has_tree == 0) {
+        choice = choose_among_few(world, from, facing, u);
+    } else if (world.far_count == 0) {
+        choice = choose_in_tree(world, from, facing, u, Float(1.0f), mask);
+    } else {
+        // The far ones one by one, all near ones together; then down the tree with what is left of the number.
+        Float near = tree_weight(world, from, facing);
+        Float sum = near;
+        for (int i = 0; i < world.far_count; ++i) {
+            sum = sum + emitter_weight(AT(world.emitters, i), from, facing);
+        }
+        Float goal = u * sum;
+        Mask descends = both(both(mask, goal < near), near > Float(0.0f));
+        choice = choose_in_tree(world, from, facing, min(goal / max(near, Float(SMALLEST)), Float(0.99999994f)),
+                                near / max(sum, Float(SMALLEST)), descends);
+        Float so_far = near;
+        Mask is_far = without(mask, descends);
+        for (int i = 0; i < world.far_count; ++i) {
+            Float weight = emitter_weight(AT(world.emitters, i), from, facing);
+            Mask here = both(is_far, both(goal >= so_far, weight > Float(0.0f)));
+            choice.emitter = select(here, Int(i), choice.emitter);
+            choice.chance = select(here, weight / sum, choice.chance);
+            so_far = so_far + weight;
+        }
+    }
+    return choice;
+}
+
+FN Float emitter_chance(IN(WorldRecord) world, Vec3 from, Vec3 facing, Int emitter, Mask mask) {
+    Float chance = Float(0.0f);
+    if (world.has_tree == 0) {
+        chance = chance_among_few(world, from, facing, emitter);
+    } else {
+        Float near = Float(1.0f);
+        Float sum = Float(1.0f);
+        if (world.far_count > 0) {
+            near = tree_weight(world, from, facing);
+            sum = near;
+            Float own = Float(0.0f);
+            for (int i = 0; i < world.far_count; ++i) {
+                Float weight = emitter_weight(AT(world.emitters, i), from, facing);
+                sum = sum + weight;
+                own = select(is_equal(emitter, Int(i)), weight, own);
+            }
+            chance = own / max(sum, Float(SMALLEST));
+        }
+        Mask in_tree = both(mask, both(is_above(emitter, Int(world.far_count - 1)), near > Float(0.0f)));
+        if (some(in_tree)) {
+            chance = select(in_tree, chance_in_tree(world, from, facing, emitter, near / max(sum, Float(SMALLEST)), in_tree), chance);
+        }
     }
     return chance;
 }

@@ -99,6 +99,9 @@ FN EmissionDensity emission_density(IN(WorldRecord) world, IN(EmitterRecord) emi
         }
     } else {
         d.direction = point_direction_density(emitter, direction);
+        if (is_thrown(emitter)) {
+            d.direction = thrown_density(world, emitter, direction, mask);
+        }
     }
     return d;
 }
@@ -213,11 +216,20 @@ FN EmissionSample emission_sample(IN(WorldRecord) world, IN(EmitterRecord) emitt
         s = area_emission(triangle_point(world, emitter, place, mask), emitter.two_sided != 0, side, u);
     } else if (emitter.kind == EMITTER_MESH) {
         s = area_emission(mesh_point(world, emitter, place, mask), emitter.two_sided != 0, side, u);
+    } else if (emitter.kind == EMITTER_MESH_TRIANGLE) {
+        s = area_emission(part_point(world, emitter, place, mask), emitter.two_sided != 0, side, u);
     } else if (emitter.kind == EMITTER_PLACED) {
         s = area_emission(placed_point(AT(world.placed, emitter.index), AT(world.objects, emitter.object).kind, emitter, place),
                           emitter.two_sided != 0, side, u);
     } else {
         s = point_emission(emitter, u);
+        if (is_thrown(emitter)) {
+            ThrownWay thrown = thrown_sample(world, emitter, u, mask);
+            s.direction = thrown.way;
+            s.point.normal = thrown.way;
+            s.density.direction = thrown.density;
+            s.valid = thrown.density > Float(0.0f);
+        }
     }
     seen.point = s.point;
     seen.direction = -s.direction;

@@ -3,6 +3,7 @@
 #define LANCER_KERNEL_EMITTER_RADIANCE_H
 
 #include "lancer/kernel/emitter/sample.h"
+#include "lancer/kernel/emitter/thrown.h"
 #include "lancer/kernel/light.h"
 
 NAMESPACE_BEGIN
@@ -21,13 +22,20 @@ FN Spectrum emitted_light(IN(WorldRecord) world, IN(EmitterRecord) emitter, IN(E
         }
         light = select(shines, color_value(world, material.emission, s.point, nanometres, shines), light);
     } else {
-        light = color_value(world, emitter.light, s.point, nanometres, mask);
+        SurfacePoint point = s.point;
+        if (emitter.light.texture >= 0) {
+            point.uv = thrown_place(emitter, -s.direction).uv;
+        }
+        light = color_value(world, emitter.light, point, nanometres, mask);
         if (emitter.kind != EMITTER_DIRECTIONAL) {
             light = light / max(s.distance * s.distance, Float(SMALLEST));
         }
         if (emitter.kind == EMITTER_SPOT) {
             Float cosine = -dot(s.direction, broadcast(emitter.direction));
             light = light * spot_share(cosine, emitter.cos_outer, emitter.cos_inner);
+        }
+        if (is_thrown(emitter)) {
+            light = light * thrown_share(world, emitter, -s.direction, mask);
         }
     }
     return light;

@@ -113,6 +113,8 @@ FN EmitterSample emitter_sample(IN(WorldRecord) world, IN(EmitterRecord) emitter
         s = area_sample(triangle_point(world, emitter, u, mask), from);
     } else if (emitter.kind == EMITTER_MESH) {
         s = area_sample(mesh_point(world, emitter, u, mask), from);
+    } else if (emitter.kind == EMITTER_MESH_TRIANGLE) {
+        s = area_sample(part_point(world, emitter, u, mask), from);
     } else if (emitter.kind == EMITTER_PLACED) {
         s = area_sample(placed_point(AT(world.placed, emitter.index), AT(world.objects, emitter.object).kind, emitter, u), from);
     } else if (emitter.kind == EMITTER_DIRECTIONAL) {

@@ -6,7 +6,7 @@
 #define LANCER_KERNEL_EMITTER_SKY_H
 
 #include "lancer/kernel/distribution.h"
-#include "lancer/kernel/material.h"
+#include "lancer/kernel/emitter/sky_model.h"
 #include "lancer/kernel/warp.h"
 
 NAMESPACE_BEGIN
@@ -60,6 +60,12 @@ FN Spectrum sky_radiance(IN(WorldRecord) world, Vec3 direction, Vec4 nanometres,
         Spectrum zenith = color_value(world, world.sky.zenith, nowhere, nanometres, mask);
         Spectrum nadir = color_value(world, world.sky.nadir, nowhere, nanometres, mask);
         radiance = horizon + (select(direction.y < Float(0.0f), nadir, zenith) - horizon) * abs(direction.y);
+    } else if (world.sky.kind == SKY_MODEL) {
+        radiance = world.spectral != 0 ? model_radiance(world, direction, nanometres, mask) : rgb_value(sky_color(world, direction, mask));
+        if (world.sky.sun_chord > 0.0f) {
+            Spectrum sun = color_value(world, world.sky.sun_light, nowhere, nanometres, mask);
+            radiance = select(is_in_sun(world.sky, direction), radiance + sun, radiance);
+        }
     }
     return radiance;
 }
@@ -85,14 +91,10 @@ FN Float texel_density(IN(WorldRecord) world, Int row, Int column, Mask mask) {
     return row_share * share * Float(float(world.sky.width)) * Float(0.5f / PI) / max(edges.x - edges.y, Float(SMALLEST));
 }
 
-// From a number that fell into a share to one that is uniform in [0, 1) again.
-FN Float rest_of(Float u, Float upper, Float share) {
-    return min(clamp01((u - (upper - share)) / max(share, Float(SMALLEST))), Float(0.99999994f));
-}
-
-FN SkySample sky_sample(IN(WorldRecord) world, Vec2 u, Mask mask) {
+// Of an image.
+FN SkySample texel_sample(IN(WorldRecord) world, Vec2 u, Mask mask) {
     SkySample s;
-    if (world.sky.kind == SKY_IMAGE) {
+    if (world.sky.kind == SKY_IMAGE || world.sky.kind == SKY_MODEL) {
         Int rows = Int(world.sky.first_share);
         Int row = find_share(world, rows, world.sky.height, u.y, mask);
         Float down = rest_of(u.y, gather_float(world.distributions, row + rows, mask), own_share(world, rows, row, mask));
@@ -119,13 +121,34 @@ FN SkySample sky_sample(IN(WorldRecord) world, Vec2 u, Mask mask) {
 
 FN Float sky_density(IN(WorldRecord) world, Vec3 direction, Mask mask) {
     Float density = Float(0.25f / PI);
-    if (world.sky.kind == SKY_IMAGE) {
+    if (world.sky.kind == SKY_IMAGE || world.sky.kind == SKY_MODEL) {
         Vec2 place = sky_place(world.sky, direction);
         Float column = min(floor(place.x * Float(float(world.sky.width))), Float(float(world.sky.width - 1)));
         Float row = min(max(floor(place.y * Float(float(world.sky.height))), Float(0.0f)), Float(float(world.sky.height - 1)));
         density = texel_density(world, round_to_int(row), round_to_int(column), mask);
     }
+    if (world.sky.sun_share > 0.0f) {
+        Float sun = select(is_in_sun(world.sky, direction), Float(1.0f / PI) / Float(world.sky.sun_chord), Float(0.0f));
+        density = density + (sun - density) * Float(world.sky.sun_share);
+    }
     return density;
+}
+
+// From the whole of it: the sun, too.
+FN SkySample sky_sample(IN(WorldRecord) world, Vec2 u, Mask mask) {
+    SkySample s;
+    if (world.sky.sun_share > 0.0f) {
+        Float share = Float(world.sky.sun_share);
+        Mask on_sun = u.x < share;
+        Float rest = select(on_sun, u.x / share, (u.x - share) / (Float(1.0f) - share));
+        Vec2 left = vec2_of(min(clamp01(rest), Float(0.99999994f)), u.y);
+        s = texel_sample(world, left, mask);
+        s.direction = select(on_sun, sun_direction(world.sky, left), s.direction);
+        s.density = sky_density(world, s.direction, mask);
+    } else {
+        s = texel_sample(world, u, mask);
+    }
+    return s;
 }
 
 NAMESPACE_END
