@@ -315,8 +315,9 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
     cpu.threads = prepared.options.threads;
     prepared.device = make_cpu_device(world, cpu);
     prepared.metadata = describe(scene, arguments, command);
-    if (prepared.options.error > 0.0) {
+    if (prepared.options.replicates > 0) {
         prepared.options.error_floor = find_error_floor(*prepared.device, prepared.options);
+        prepared.contents.floor = prepared.options.error_floor;
     }
     prepared.scene = std::move(scene);
     return prepared;

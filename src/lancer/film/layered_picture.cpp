@@ -100,16 +100,19 @@ private:
     }
 
     void add_intervals() {
-        const IntervalRule rule(contents_.confidence);
-        add1("interval.low", Stored::float32, [&](std::size_t i) {
-            const Interval interval = rule.of(sums_, i);
-            return static_cast<float>(interval.middle - interval.half_width);
-        });
-        add1("interval.high", Stored::float32, [&](std::size_t i) {
-            const Interval interval = rule.of(sums_, i);
-            return static_cast<float>(interval.middle + interval.half_width);
-        });
-        add1("interval.tail", Stored::float32, [&](std::size_t i) { return rule.of(sums_, i).heavy ? 1.0f : 0.0f; });
+        const IntervalRule rule(contents_.confidence, contents_.floor);
+        std::vector<Interval> intervals(film_.samples.size());
+        for (const Tile& block : cut_tiles(film_.width, film_.height, interval_block)) {
+            const std::vector<Interval> found = rule.of(sums_, block);
+            for (int y = block.y0; y < block.y1; ++y) {
+                std::copy_n(found.begin() + static_cast<std::ptrdiff_t>(y - block.y0) * block.width(), block.width(),
+                            intervals.begin() + static_cast<std::ptrdiff_t>(film_.index(block.x0, y)));
+            }
+        }
+        add1("interval.low", Stored::float32, [&](std::size_t i) { return static_cast<float>(intervals[i].middle - intervals[i].half_width); });
+        add1("interval.high", Stored::float32,
+             [&](std::size_t i) { return static_cast<float>(intervals[i].middle + intervals[i].half_width); });
+        add1("interval.tail", Stored::float32, [&](std::size_t i) { return intervals[i].heavy() ? 1.0f : 0.0f; });
     }
 
     template <class Counts>

@@ -2,35 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 namespace lancer {
 
 namespace {
 
-// Before each replicate has so many samples nothing is decided.
-constexpr int first_decision = 4;
 // A pixel's half width scatters around what is true of its neighbourhood, as the root of chi-squared over its freedom does: 95 % stay below 1.29 times it.
 constexpr double scatter = 25.0 / 15.0;  // squared
 
-double relative_error(const ErrorGoal& goal, const Interval& interval) {
-    return interval.half_width / std::max(interval.middle, goal.floor);
-}
-
-int cells_across(const Tile& tile) { return (tile.width() + cell_size - 1) / cell_size; }
-
 }  // namespace
-
-Tile cell_of(const Tile& tile, std::size_t cell) {
-    const int across = cells_across(tile);
-    const int x = tile.x0 + static_cast<int>(cell) % across * cell_size;
-    const int y = tile.y0 + static_cast<int>(cell) / across * cell_size;
-    return {x, y, std::min(x + cell_size, tile.x1), std::min(y + cell_size, tile.y1)};
-}
-
-std::size_t cells_in(const Tile& tile) {
-    return static_cast<std::size_t>(cells_across(tile)) * static_cast<std::size_t>((tile.height() + cell_size - 1) / cell_size);
-}
 
 int next_level(int level) {
     if (level < 2) {
@@ -44,65 +25,126 @@ int next_level(int level) {
     return power == 2 ? 4 : level < power + power / 2 ? power + power / 2 : 2 * power;
 }
 
-TileNeeds needs_of(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit) {
+namespace {
+
+// How well the pixels of a tile are known, cell by cell, and what follows from that.
+class TileErrors {
+public:
+    TileErrors(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit);
+
+    bool reached() const { return static_cast<double>(known_) >= confidence_ * static_cast<double>(pixels_); }
+    std::vector<std::size_t> wanting() const;
+
+    // As it will be, as far as can be told, when these cells have their next level: errors fall with the root of the number of samples, and no single
+    // sample stands out so much. Returns how many samples that takes.
+    double foresee(const std::vector<std::size_t>& cells);
+
+private:
+    struct Cell {
+        std::vector<double> squares;  // of each pixel's error over the goal's
+        std::vector<double> tails;    // of each pixel; 1 and less is trusted
+        int level = 0;                // samples of each replicate
+        double need = 0.0;            // mean of the squares, or what it is around, whichever is more
+        bool failing = false;
+    };
+    void judge();
+
+    double confidence_;
+    int last_level_;
+    std::size_t across_ = 0;
+    std::vector<Cell> cells_;
+    std::size_t known_ = 0;
+    std::size_t pixels_ = 0;
+};
+
+TileErrors::TileErrors(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit)
+    : confidence_(goal.confidence), last_level_(limit / error_replicates) {
     const Tile& place = state.tiles()[tile];
     const Film& film = state.film();
-    const std::size_t cells = cells_in(place);
-    const int across = cells_across(place);
-    const int down = static_cast<int>(cells) / across;
-    std::vector<double> squares(cells, 0.0);  // mean square of the errors over the goal's
-    std::vector<char> failing(cells, 0);
-    std::vector<double> samples(cells, 0.0);  // of all the cell's pixels
-    std::vector<char> full(cells, 0);
-    std::size_t known = 0, pixels = 0;
-    for (std::size_t cell = 0; cell < cells; ++cell) {
-        const Tile part = cell_of(place, cell);
+    across_ = cells_across(place);
+    cells_.resize(cells_in(place));
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        const Tile part = cell_of(place, i);
+        cells_[i].level = static_cast<int>(film.samples[film.index(part.x0, part.y0)]) / error_replicates;
         for (int y = part.y0; y < part.y1; ++y) {
             for (int x = part.x0; x < part.x1; ++x) {
-                const std::size_t pixel = film.index(x, y);
-                const Interval interval = rule.of(*state.sums(), pixel);
-                const double ratio = film.samples[pixel] < std::uint32_t{first_decision * error_replicates}
-                                         ? std::numeric_limits<double>::infinity()
-                                         : relative_error(goal, interval) / goal.error;
-                const bool good = ratio <= 1.0 && !interval.heavy;
-                known += good ? 1 : 0;
-                ++pixels;
-                failing[cell] = static_cast<char>(failing[cell] | (good ? 0 : 1));
-                squares[cell] += ratio * ratio;
-                samples[cell] += static_cast<double>(film.samples[pixel]);
+                const Interval interval = rule.alone(*state.sums(), film.index(x, y));
+                const double ratio = rule.relative(interval) / goal.error;
+                cells_[i].squares.push_back(ratio * ratio);
+                cells_[i].tails.push_back(interval.tail);
             }
         }
-        const double area = static_cast<double>(part.width()) * part.height();
-        squares[cell] /= area;
-        full[cell] = film.samples[film.index(part.x0, part.y0)] >= static_cast<std::uint32_t>(limit) ? 1 : 0;
+        pixels_ += cells_[i].squares.size();
     }
+    judge();
+}
+
+void TileErrors::judge() {
+    std::vector<double> means;
+    for (const Cell& cell : cells_) {
+        means.push_back(std::accumulate(cell.squares.begin(), cell.squares.end(), 0.0) / static_cast<double>(cell.squares.size()));
+    }
+    const std::vector<double> around = means_around(means, across_);
+    known_ = 0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        Cell& cell = cells_[i];
+        std::size_t known = 0;
+        for (std::size_t k = 0; k < cell.squares.size(); ++k) {
+            const bool good = cell.level >= first_decision && std::max(cell.squares[k], around[i]) <= 1.0 && cell.tails[k] <= 1.0;
+            known += good ? 1u : 0u;
+        }
+        known_ += known;
+        cell.failing = known < cell.squares.size();
+        cell.need = std::max(means[i], around[i]);
+    }
+}
+
+std::vector<std::size_t> TileErrors::wanting() const {
+    std::vector<std::size_t> cells;
+    if (reached()) {
+        return cells;
+    }
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        if ((cells_[i].need * scatter > 1.0 || cells_[i].level < first_decision) && cells_[i].level < last_level_) {
+            cells.push_back(i);
+        }
+    }
+    for (std::size_t i = 0, all = cells.empty() ? cells_.size() : 0; i < all; ++i) {  // all is well on average, but not well enough
+        if (cells_[i].failing && cells_[i].level < last_level_) {
+            cells.push_back(i);
+        }
+    }
+    return cells;
+}
+
+double TileErrors::foresee(const std::vector<std::size_t>& cells) {
+    double samples = 0.0;
+    for (const std::size_t i : cells) {
+        Cell& cell = cells_[i];
+        const int level = std::min(next_level(cell.level), last_level_);
+        const double less = static_cast<double>(cell.level) / level;
+        for (double& square : cell.squares) {
+            square *= less;
+        }
+        for (double& tail : cell.tails) {
+            tail *= less;
+        }
+        samples += static_cast<double>(level - cell.level) * error_replicates * static_cast<double>(cell.squares.size());
+        cell.level = level;
+    }
+    judge();
+    return samples;
+}
+
+}  // namespace
+
+TileNeeds needs_of(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit) {
+    TileErrors errors(goal, rule, state, tile, limit);
     TileNeeds needs;
-    needs.reached = static_cast<double>(known) >= goal.confidence * static_cast<double>(pixels);
-    for (std::size_t cell = 0; cell < cells; ++cell) {
-        // What the neighbours find hard may be hard here, too, only not found yet.
-        const int column = static_cast<int>(cell) % across, row = static_cast<int>(cell) / across;
-        double around = 0.0;
-        int count = 0;
-        for (int y = std::max(row - 1, 0); y <= std::min(row + 1, down - 1); ++y) {
-            for (int x = std::max(column - 1, 0); x <= std::min(column + 1, across - 1); ++x, ++count) {
-                around += squares[static_cast<std::size_t>(y) * static_cast<std::size_t>(across) + static_cast<std::size_t>(x)];
-            }
-        }
-        const double need = std::max(squares[cell], around / count) * scatter;
-        const Tile part = cell_of(place, cell);
-        const double most = static_cast<double>(limit) * part.width() * part.height();
-        const bool wants = !needs.reached && need > 1.0;
-        needs.expected += wants && std::isfinite(need) ? std::min(samples[cell] * need, std::max(most, samples[cell])) : samples[cell];
-        if (wants && full[cell] == 0) {
-            needs.cells.push_back(cell);
-        }
-    }
-    if (!needs.reached && needs.cells.empty()) {  // all is well on average, but not well enough
-        for (std::size_t cell = 0; cell < cells; ++cell) {
-            if (failing[cell] != 0 && full[cell] == 0) {
-                needs.cells.push_back(cell);
-            }
-        }
+    needs.reached = errors.reached();
+    needs.cells = errors.wanting();
+    for (std::vector<std::size_t> cells = needs.cells; !cells.empty(); cells = errors.wanting()) {
+        needs.samples_left += errors.foresee(cells);
     }
     return needs;
 }
@@ -112,18 +154,19 @@ ErrorReport report_errors(const ErrorGoal& goal, const FilmState& state) {
     if (state.sums() == nullptr || state.sums()->layers().replicates == 0) {
         return report;
     }
-    const IntervalRule rule(goal.confidence);
+    const IntervalRule rule(goal.confidence, goal.floor);
     std::vector<double> errors;
     std::uint64_t known = 0, heavy = 0;
-    for (std::size_t pixel = 0; pixel < state.film().samples.size(); ++pixel) {
-        if (state.film().samples[pixel] == 0) {
+    for (const Tile& tile : state.tiles()) {
+        if (state.film().samples[state.film().index(tile.x0, tile.y0)] == 0) {
             continue;
         }
-        const Interval interval = rule.of(*state.sums(), pixel);
-        const double error = relative_error(goal, interval);
-        heavy += interval.heavy ? 1 : 0;
-        known += error <= goal.error && !interval.heavy ? 1 : 0;
-        errors.push_back(std::isnan(error) ? 0.0 : error);
+        for (const Interval& interval : rule.of(*state.sums(), tile)) {
+            const double error = rule.relative(interval);
+            heavy += interval.heavy() ? 1u : 0u;
+            known += error <= goal.error && !interval.heavy() ? 1u : 0u;
+            errors.push_back(std::isnan(error) ? 0.0 : error);
+        }
     }
     report.pixels = errors.size();
     if (errors.empty()) {

@@ -9,9 +9,11 @@
 
 namespace lancer {
 
-// Within a tile, squares of so many pixels a side get samples together: large enough that luck averages out, small enough to follow what is hard.
-constexpr int cell_size = 4;
+// Before each replicate has so many samples nothing is decided.
+constexpr int first_decision = 4;
 
+// Cells of pixels (film/interval.h) get samples together: large enough that luck averages out, small enough to follow what is hard.
+//
 // In each tile, the share `confidence` of the pixels is to be known within `error` of its luminance, at that confidence. Dark pixels count as if they
 // had luminance `floor`.
 struct ErrorGoal {
@@ -23,12 +25,8 @@ struct ErrorGoal {
 struct TileNeeds {
     bool reached = false;
     std::vector<std::size_t> cells;  // that need more samples, row by row; only where the goal is not reached
-    double expected = 0.0;           // samples that the tile will have taken in the end, as far as can be told
+    double samples_left = 0.0;       // that the tile will take until its end, as far as can be told
 };
-
-// The first pixel of a cell, from the tile's upper left, and its end.
-Tile cell_of(const Tile& tile, std::size_t cell);
-std::size_t cells_in(const Tile& tile);
 
 // `limit`: samples a pixel that are not exceeded.
 TileNeeds needs_of(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit);

@@ -59,6 +59,7 @@ RoundOutcome PathSampler::render_round(FilmState& state, std::size_t tile, RayCo
         return RoundOutcome::cancelled;
     }
     tracer_.trace({place.x0, place.y0, place.x1, place.y1, pass.first_sample, pass.sample_count}, counts);
+    samples_left_ = static_cast<double>(spp_ - pass.first_sample - pass.sample_count) * place.width() * place.height();
     const auto lock = state.lock(tile);
     tracer_.put(state);
     state.add_round(tile);

@@ -50,10 +50,12 @@ public:
     PathSampler(const Device& device, const FilmState& state, int spp) : tracer_(device, state.sums()->layers()), spp_(spp) {}
 
     RoundOutcome render_round(FilmState& state, std::size_t tile, RayCounts& counts, const std::atomic<bool>* cancel) override;
+    double samples_left() const override { return samples_left_; }
 
 private:
     PathTracer tracer_;
     int spp_;
+    double samples_left_ = 0.0;
 };
 
 }  // namespace lancer

@@ -12,11 +12,13 @@
 #include <thread>
 #include <vector>
 
+#include "lancer/base/thread_clock.h"
 #include "lancer/film/display.h"
 #include "lancer/render/adaptive.h"
 #include "lancer/render/paths.h"
 #include "lancer/render/replicated_paths.h"
 #include "lancer/render/threads.h"
+#include "lancer/render/time_left.h"
 #include "lancer/render/uniform.h"
 
 namespace lancer {
@@ -41,12 +43,10 @@ public:
         left_ = own_tiles();
         for (const std::size_t tile : left_) {
             const Tile& place = state.tiles()[tile];
-            progress_.pixels_total += area(place) * std::max(options.spp, 1);
+            progress_.pixels_total += area(place) * std::max(samples_limit(), 1);
             progress_.pixels_done += done_before(tile);
-            own_area_ += area(place);
         }
-        expected_.assign(state.tiles().size(), 0.0);
-        done_at_start_ = progress_.pixels_done;
+        begin_to_foresee();
     }
 
     // Round after round, each on all threads, until no tile is left.
@@ -137,7 +137,7 @@ private:
         for (int y = place.y0; y < place.y1; ++y) {
             for (int x = place.x0; x < place.x1; ++x) {
                 samples +=
-                    std::min(static_cast<std::int64_t>(state_.film().samples[state_.film().index(x, y)]), std::int64_t{options_.spp});
+                    std::min(static_cast<std::int64_t>(state_.film().samples[state_.film().index(x, y)]), std::int64_t{samples_limit()});
             }
         }
         return samples;
@@ -154,17 +154,19 @@ private:
             }
             const std::uint64_t rays_before = counts.camera;
             const std::int64_t done = done_before(left_[next]);
+            const double worked = thread_seconds();
             const RoundOutcome outcome = sampler->render_round(state_, left_[next], counts, cancel_);
             if (outcome == RoundOutcome::cancelled) {
                 break;
             }
             unfinished_[next] = outcome == RoundOutcome::unfinished ? 1 : 0;
-            // Of paths the samples count, and not the rays: those that start at lamps reach the camera by many.
-            if (options_.spp > 0) {
-                const std::int64_t more = done_before(left_[next]) - done;
-                tell(left_[next], more, static_cast<std::uint64_t>(more), sampler->expected_samples());
-            } else if (counts.camera > rays_before) {
-                tell(left_[next], area(state_.tiles()[left_[next]]), counts.camera - rays_before, 0.0);
+            if (const std::int64_t more = done_before(left_[next]) - done; more > 0) {
+                // Of paths the samples count, and not the rays: those that start at lamps reach the camera by many.
+                const std::uint64_t samples = options_.spp > 0 ? static_cast<std::uint64_t>(more) : counts.camera - rays_before;
+                tell(left_[next], more, samples, thread_seconds() - worked, sampler->samples_left());
+            } else {
+                const std::scoped_lock lock(mutex_);
+                time_left_.skip(left_[next]);
             }
         }
         const std::scoped_lock lock(mutex_);
@@ -185,34 +187,44 @@ private:
         return std::make_unique<UniformSampler>(device_, *patterns_);
     }
 
-    void tell(std::size_t tile, std::int64_t pixels, std::uint64_t samples, double expected) {
+    void tell(std::size_t tile, std::int64_t pixels, std::uint64_t samples, double work, double samples_left) {
         const std::scoped_lock lock(mutex_);
         progress_.pixels_done += pixels;
         progress_.samples_done += samples;
-        if (expected > 0.0) {
-            foresee(tile, expected);
-        }
+        time_left_.add(tile, work, static_cast<double>(pixels), samples_left);
         if (observer_ != nullptr) {
             progress_.seconds = seconds();
-            const double left = static_cast<double>(progress_.pixels_total - progress_.pixels_done);
-            progress_.seconds_left = std::max(progress_.seconds * left / static_cast<double>(progress_.pixels_done - done_at_start_), 0.0);
-            if (options_.seconds > 0.0 && options_.seconds - progress_.seconds < progress_.seconds_left) {
-                progress_.seconds_left = std::max(options_.seconds - progress_.seconds, 0.0);
-                progress_.pixels_total = std::max(progress_.pixels_done, progress_.pixels_total);
+            progress_.seconds_left = time_left_.seconds(progress_.seconds);
+            if (options_.seconds > 0.0) {
+                progress_.seconds_left = std::clamp(options_.seconds - progress_.seconds, 0.0, progress_.seconds_left);
             }
+            progress_.share = share_done();
             observer_->tile_done(state_.film(), state_.tiles()[tile], progress_);
         }
     }
 
-    // Tiles that nothing is known of count as the others do on average.
-    void foresee(std::size_t tile, double expected) {
-        const double tile_area = static_cast<double>(area(state_.tiles()[tile]));
-        foreseen_area_ += expected_[tile] > 0.0 ? 0.0 : tile_area;
-        foreseen_ += expected - expected_[tile];
-        expected_[tile] = expected;
-        progress_.pixels_total =
-            std::max(progress_.pixels_done, static_cast<std::int64_t>(foreseen_ / foreseen_area_ * static_cast<double>(own_area_)));
+    // Where the number of samples is known, all that are there count; otherwise the work.
+    double share_done() const {
+        if (options_.error == 0.0 && options_.seconds == 0.0) {
+            return static_cast<double>(progress_.pixels_done) / static_cast<double>(progress_.pixels_total);
+        }
+        return std::max(progress_.seconds / std::max(progress_.seconds + progress_.seconds_left, 1e-9), progress_.share);
     }
+
+    void begin_to_foresee() {
+        std::vector<double> sizes(state_.tiles().size(), 0.0);
+        for (const std::size_t tile : left_) {
+            sizes[tile] = static_cast<double>(area(state_.tiles()[tile]));
+        }
+        time_left_ = TimeLeft(sizes);
+        for (std::size_t i = 0; options_.error == 0.0 && i < left_.size(); ++i) {
+            const std::int64_t all = area(state_.tiles()[left_[i]]) * std::max(samples_limit(), 1);
+            time_left_.expect(left_[i], static_cast<double>(all - done_before(left_[i])));
+        }
+    }
+
+    // Samples of a pixel that are not exceeded; 0 where paths are not what is followed.
+    int samples_limit() const { return options_.replicates > 0 ? replicated_limit(options_) : options_.spp; }
 
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
@@ -225,16 +237,12 @@ private:
     std::optional<UniformPatterns> patterns_;
     std::vector<std::size_t> left_;  // tiles that are not finished, in the order of work
     std::vector<char> unfinished_;   // of these: whether they are left after this round
-    std::int64_t done_at_start_ = 0;
-    std::int64_t own_area_ = 0;     // pixels
-    std::vector<double> expected_;  // samples of each tile in the end; 0: not known
-    double foreseen_ = 0.0;         // their sum
-    double foreseen_area_ = 0.0;    // pixels of these tiles
     Clock::time_point start_ = Clock::now();
 
     std::atomic<std::size_t> next_{0};
     std::mutex mutex_;  // guards what follows, and lets one thread at a time speak to the observer
     RenderProgress progress_;
+    TimeLeft time_left_{{}};
     RayCounts counts_;
 };
 
@@ -291,8 +299,8 @@ bool is_finished(const RenderOptions& options, const FilmState& state, std::size
         const int limit = replicated_limit(options);
         if (options.error > 0.0) {
             const TileNeeds needs =
-                needs_of({options.error, options.confidence, options.error_floor}, IntervalRule(options.confidence), state, tile, limit);
-            return needs.reached || needs.cells.empty();
+                needs_of({options.error, options.confidence, options.error_floor}, IntervalRule(options.confidence, options.error_floor), state, tile, limit);
+            return needs.cells.empty();
         }
         return state.film().samples[state.film().index(place.x0, place.y0)] >= static_cast<std::uint32_t>(limit);
     }
@@ -308,7 +316,8 @@ RenderStatistics render(const Device& device, const RenderOptions& options, Film
     assert(options.threads >= 0 && options.threads <= max_threads);
     assert(options.shard >= 1 && options.shard <= options.shards && options.shards <= max_shards);
     assert((state.sums() != nullptr) == (options.spp > 0) && state.tile_size() == tile_size_for(options));
-    assert(options.error == 0.0 || (options.replicates == error_replicates && options.error_floor > 0.0));
+    assert(options.error == 0.0 || options.replicates == error_replicates);
+    assert(options.replicates == 0 || options.error_floor > 0.0);
     assert(options.spp == 0 || state.sums()->layers().replicates == options.replicates);
 
     Work work(device, options, state, observer, cancel);

@@ -4,8 +4,10 @@
 
 namespace lancer {
 
+static_assert(PathSampler::tile_size == interval_block);  // so that tiles are decided by what the picture says of itself
+
 ReplicatedPathSampler::ReplicatedPathSampler(const Device& device, const FilmState& state, const ErrorGoal& goal, int limit)
-    : tracer_(device, state.sums()->layers()), goal_(goal), rule_(goal.confidence), layers_(state.sums()->layers()), limit_(limit) {}
+    : tracer_(device, state.sums()->layers()), goal_(goal), rule_(goal.confidence, goal.floor), layers_(state.sums()->layers()), limit_(limit) {}
 
 bool ReplicatedPathSampler::extend(const Tile& part, int to_level, const Tile& whole, FilmState& copy, RayCounts& counts,
                                    const std::atomic<bool>* cancel) {
@@ -30,14 +32,13 @@ RoundOutcome ReplicatedPathSampler::render_round(FilmState& state, std::size_t t
     const Film& film = state.film();
     const auto level_of = [&](const Tile& part) { return static_cast<int>(film.samples[film.index(part.x0, part.y0)]) / error_replicates; };
     const bool has_goal = goal_.error > 0.0;
-    constexpr int alike = 4;  // levels that all cells have in common
-    const bool whole = !has_goal || level_of(place) < alike;
+    const bool whole = !has_goal || level_of(place) < first_decision;
     TileNeeds needs;
     if (!whole) {
         needs = needs_of(goal_, rule_, state, tile, limit_);
-        expected_ = needs.expected;
     }
-    if (whole ? level_of(place) * error_replicates >= limit_ : needs.cells.empty() || needs.reached) {
+    samples_left_ = 0.0;
+    if (whole ? level_of(place) * error_replicates >= limit_ : needs.cells.empty()) {
         return RoundOutcome::finished;
     }
     Film copied(place.width(), place.height());
@@ -65,13 +66,13 @@ RoundOutcome ReplicatedPathSampler::render_round(FilmState& state, std::size_t t
         ByteReader back(after.bytes());
         state.load(tile, state.rounds(tile) + 1, back);
     }
-    if (has_goal && level_of(place) >= alike) {
-        const TileNeeds left = needs_of(goal_, rule_, state, tile, limit_);
-        expected_ = left.expected;
-        return left.reached || left.cells.empty() ? RoundOutcome::finished : RoundOutcome::unfinished;
+    if (!has_goal) {
+        samples_left_ = static_cast<double>(limit_ - level_of(place) * error_replicates) * place.width() * place.height();
+        return samples_left_ > 0.0 ? RoundOutcome::unfinished : RoundOutcome::finished;
     }
-    expected_ = 0.0;
-    return level_of(place) * error_replicates >= limit_ ? RoundOutcome::finished : RoundOutcome::unfinished;
+    const TileNeeds left = needs_of(goal_, rule_, state, tile, limit_);
+    samples_left_ = left.samples_left;
+    return left.cells.empty() ? RoundOutcome::finished : RoundOutcome::unfinished;
 }
 
 }  // namespace lancer

@@ -15,7 +15,7 @@ public:
     ReplicatedPathSampler(const Device& device, const FilmState& state, const ErrorGoal& goal, int limit);
 
     RoundOutcome render_round(FilmState& state, std::size_t tile, RayCounts& counts, const std::atomic<bool>* cancel) override;
-    double expected_samples() const override { return expected_; }
+    double samples_left() const override { return samples_left_; }
 
 private:
     // The whole round takes place on a copy of the tile, and shows all at once: a round is decided by the tile as the round before has left it.
@@ -26,7 +26,7 @@ private:
     IntervalRule rule_;
     FilmLayers layers_;
     int limit_;
-    double expected_ = 0.0;
+    double samples_left_ = 0.0;
 };
 
 }  // namespace lancer

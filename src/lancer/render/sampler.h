@@ -21,8 +21,8 @@ public:
     // on the tile meanwhile; others may read it under its lock.
     virtual RoundOutcome render_round(FilmState& state, std::size_t tile, RayCounts& counts, const std::atomic<bool>* cancel) = 0;
 
-    // How many samples that tile will have taken in the end, as far as can be told after its last round; 0: nothing can be told.
-    virtual double expected_samples() const { return 0.0; }
+    // How many samples that tile will still take, as far as can be told after that round.
+    virtual double samples_left() const = 0;
 };
 
 // Work that is done in one round.
@@ -38,6 +38,8 @@ public:
         }
         return RoundOutcome::finished;
     }
+
+    double samples_left() const final { return 0.0; }
 
     // False when it was cancelled on the way.
     virtual bool render_tile(const Tile& tile, Film& film, RayCounts& counts, const std::atomic<bool>* cancel) = 0;

@@ -76,6 +76,7 @@ Presentation presentation_of(const FilmAbout& about) {
     }
     presentation.contents.spectral_bins = whole_in(about.text("film:spectral-bins"));
     presentation.contents.confidence = number_in(about.text("film:confidence"));
+    presentation.contents.floor = number_in(about.text("film:floor"));
     presentation.contents.wide = about.text("film:wide") == "yes";
     presentation.names = {about.list("objects"), about.list("materials")};
     return presentation;

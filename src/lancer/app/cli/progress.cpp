@@ -89,8 +89,7 @@ void RenderProgressPrinter::tile_done(const Film&, const Tile&, const RenderProg
     const std::string error = has_error ? fmt::format(", error {:.2g}%", progress.error * 100.0) : "";
     std::string more = fmt::format(",\"samples\":{},\"samples_per_second\":{:.0f}", progress.samples_done, a_second);
     more += has_error ? fmt::format(",\"error\":{:.6g}", progress.error) : "";
-    printer_.show(static_cast<double>(progress.pixels_done) / static_cast<double>(progress.pixels_total), progress.seconds,
-                  progress.seconds_left, with_prefix(a_second, "samples/s") + error, more);
+    printer_.show(progress.share, progress.seconds, progress.seconds_left, with_prefix(a_second, "samples/s") + error, more);
 }
 
 }  // namespace lancer::app
