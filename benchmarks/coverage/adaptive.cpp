@@ -42,6 +42,7 @@ public:
             std::exit(2);
         }
         const double shape = static_cast<double>(scene_->settings.height) / scene_->settings.width;
+        scene_->settings.integrator = "path";
         scene_->settings.width = width;
         scene_->settings.height = std::max(8, static_cast<int>(std::lround(width * shape)));
     }
@@ -105,8 +106,8 @@ double time_to(const std::vector<Point>& points, double error) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    int width = 96, truth_spp = 1 << 13;
-    std::vector<double> goals = {0.2, 0.1};
+    int width = 96, truth_spp = 1 << 12;
+    std::vector<double> goals = {0.2};
     double sum = 0.0;
     int count = 0;
     fmt::print(
@@ -116,7 +117,7 @@ int main(int argc, char** argv) {
         Scene scene(argv[i], width);
         const Film truth = scene.render_film(1000003, 0.0, truth_spp);
         std::vector<Point> uniform;
-        for (int spp = 16; spp <= 1024; spp *= 2) {
+        for (int spp = 16; spp <= 512; spp *= 2) {
             Point& point = uniform.emplace_back();
             point.error = scene.error_of(scene.render_film(1, 0.0, spp, &point), truth);
         }

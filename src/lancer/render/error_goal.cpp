@@ -169,6 +169,9 @@ ErrorReport report_errors(const ErrorGoal& goal, const FilmState& state) {
         }
     }
     report.pixels = errors.size();
+    for (const std::uint32_t samples : state.film().samples) {
+        report.samples += static_cast<double>(samples);
+    }
     if (errors.empty()) {
         return report;
     }

@@ -37,6 +37,7 @@ int next_level(int level);
 // What can be said of a whole film.
 struct ErrorReport {
     std::uint64_t pixels = 0;  // that have samples
+    double samples = 0.0;      // of all of them
     double share = 0.0;        // of them, known within the goal's error
     double heavy = 0.0;        // share of them with a heavy tail, which count as not known
     double reached = 0.0;      // the relative half width that the share `confidence` of all stays below

@@ -116,7 +116,7 @@ std::string goals_in_words(const RenderOptions& options, const RenderStatistics&
         if (done.error.heavy > 0.0) {
             words += fmt::format("; {:.2g}% have a heavy tail and are not trusted", done.error.heavy * percent);
         }
-        words += fmt::format(". {} samples a pixel in {}.", done.samples / std::max<std::uint64_t>(done.error.pixels, 1),
+        words += fmt::format(". {:.0f} samples a pixel in {}.", done.error.samples / static_cast<double>(done.error.pixels),
                              app::in_words(done.seconds));
     }
     if (done.clamped > 0.0) {
