@@ -169,6 +169,42 @@ TEST_F(Resume, AFinishedPictureGetsMoreSamples) {
     EXPECT_TRUE(folder_.read("out.exr") == whole({"--spp", "150"}));
 }
 
+TEST_F(Resume, ReproducesAPicture) {
+    EXPECT_EQ(lancer({"render", "scene.toml", "-o", "out.exr", "--aov", "normal,interval", "--threads", "1"}).status, 0);
+    const Finished same = lancer({"reproduce", "out.exr", "--threads", "3"});
+    EXPECT_EQ(same.status, 0) << same.err;
+    EXPECT_THAT(same.out, HasSubstr("out.exr is reproduced"));
+    std::string changed = path_scene;
+    changed.replace(changed.find("#c08040"), 7, "#c08041");
+    folder_.write("scene.toml", changed);
+    const Finished refused = lancer({"reproduce", "out.exr"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err, HasSubstr("scene.toml has changed"));
+}
+
+TEST_F(Resume, AStatedErrorEndsTheRender) {
+    const Finished finished = lancer(
+        {"render", "scene.toml", "--error", "20%", "-o", "out.exr", "--aov", "interval", "--progress", "json", "--preview", "p.png"});
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    EXPECT_THAT(finished.err, HasSubstr("\"ended_by\":\"error\""));
+    const Finished few = lancer({"render", "scene.toml", "--error", "0.1%", "--spp", "64", "-o", "few.exr"});
+    EXPECT_EQ(few.status, 0);
+    EXPECT_THAT(few.out, HasSubstr("Ended by the number of samples."));
+    EXPECT_THAT(few.out, HasSubstr("Error: "));
+    const Finished timed = lancer({"render", "scene.toml", "--time", "200ms", "-o", "timed.exr"});
+    EXPECT_EQ(timed.status, 0);
+    EXPECT_THAT(timed.out, HasSubstr("Ended by the time."));
+    EXPECT_EQ(lancer({"reproduce", "timed.exr"}).status, 2);
+    // Shards keep to the goal by themselves.
+    for (const char* shard : {"1/2", "2/2"}) {
+        EXPECT_EQ(lancer({"render", "scene.toml", "--error", "20%", "-o", "part.exr", "--aov", "interval", "--shard", shard}).status, 0);
+    }
+    EXPECT_EQ(lancer({"merge", "part.1-of-2.film", "part.2-of-2.film", "-o", "merged.exr"}).status, 0);
+    EXPECT_TRUE(folder_.read("merged.exr") == folder_.read("out.exr"));
+    EXPECT_THAT(lancer({"render", "scene.toml", "--error", "0", "-o", "a.exr"}).err, HasSubstr("expected a share"));
+    EXPECT_THAT(lancer({"render", "scene.toml", "--clamp", "0.05", "-o", "a.exr"}).out, HasSubstr("Clamping removed"));
+}
+
 // A disk with room for the picture but not for its films: what is there stays, and it is said.
 TEST_F(Resume, AFullDiskKeepsWhatIsThere) {
     std::filesystem::create_directory(folder_.file("full"));

@@ -82,6 +82,11 @@ protected:
         options_.spp = GetParam().spp;
         options_.adaptive = GetParam().adaptive;
         options_.threads = 2;
+        if (GetParam().layers.replicates > 0) {
+            options_.replicates = GetParam().layers.replicates;
+            options_.error = 0.3;
+            options_.error_floor = find_error_floor(*device_, options_);
+        }
         file_ = (std::filesystem::temp_directory_path() / ("lancer-shards-" + std::to_string(::getpid()) + GetParam().name)).string();
     }
     void TearDown() override {
@@ -129,10 +134,11 @@ TEST_P(Shared, AnySplitMergedIsTheWhole) {
 
 TEST_P(Shared, StoppedAndResumedIsTheWhole) {
     const std::string whole = uninterrupted();
+    const int more = GetParam().layers.replicates > 0 ? 17 : 3;  // tiles each time: not too many times
     Whole film = fresh();
     bool finished = false;
     int stops = 0;
-    for (int tiles = 1; !finished; tiles += 3, ++stops) {
+    for (int tiles = 1; !finished; tiles += more, ++stops) {
         After after(tiles);
         finished = render(*device_, options_, *film.state, &after, &after.cancel).finished;
         Whole next = fresh();
@@ -147,12 +153,13 @@ TEST_P(Shared, StoppedAndResumedIsTheWhole) {
     EXPECT_TRUE(film.bytes() == whole);
 }
 
-INSTANTIATE_TEST_SUITE_P(Golden, Shared,
-                         testing::Values(Kind{"Whitted", "report/figure-1.toml", false, 0, {}},
-                                         Kind{"WhittedAdaptive", "report/figure-1.toml", true, 0, {}},
-                                         Kind{"Paths", "gallery/cornell-box.toml", false, 19, {}},
-                                         Kind{"PathsWithEverything", "gallery/cornell-box.toml", false, 5, {true, true, true, true, 7}}),
-                         [](const auto& one) { return one.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Golden, Shared,
+    testing::Values(Kind{"Whitted", "report/figure-1.toml", false, 0, {}}, Kind{"WhittedAdaptive", "report/figure-1.toml", true, 0, {}},
+                    Kind{"Paths", "gallery/cornell-box.toml", false, 19, {}},
+                    Kind{"PathsWithEverything", "gallery/cornell-box.toml", false, 5, {true, true, true, true, 7}},
+                    Kind{"PathsWithAGoal", "gallery/cornell-box.toml", false, 192, {false, false, false, false, 0, 16, 5.0}}),
+    [](const auto& one) { return one.param.name; });
 
 TEST(Samples, MoreLaterAreTheSameAsMoreAtOnce) {
     Diagnostics diagnostics;

@@ -94,7 +94,44 @@ std::string inputs_in_words(const scene::Scene& scene) {
     return lines;
 }
 
-Metadata describe(const scene::Scene& scene, const std::string& command) {
+// Samples a pixel: with other goals the scene's own number is none.
+constexpr int many_samples = 1 << 16;
+
+int samples_wanted(const scene::Scene& scene, const RenderArguments& arguments) {
+    return arguments.spp || (!arguments.error && !arguments.seconds) ? scene.settings.spp : many_samples;
+}
+
+// What has to be kept of the samples for the goals.
+void add_goals(const scene::Scene& scene, const RenderArguments& arguments, PictureContents& contents, Diagnostics& diagnostics) {
+    if (!scene::follows_paths(scene) && (arguments.error || arguments.seconds || arguments.clamp)) {
+        diagnostics.error({},
+                          "--error, --time and --clamp are for light that follows paths, but this scene is rendered by Whitted's "
+                          "integrator, which has no noise");
+        return;
+    }
+    const bool has_intervals = std::find(contents.aovs.begin(), contents.aovs.end(), Aov::interval) != contents.aovs.end();
+    contents.replicates = arguments.error || has_intervals ? error_replicates : 0;
+    contents.confidence = arguments.confidence.value_or(0.95);
+    contents.clamp = arguments.clamp.value_or(0.0);
+}
+
+std::string goal_in_words(const scene::Scene& scene, const RenderArguments& arguments) {
+    if (!scene::follows_paths(scene) || (!arguments.error && !arguments.seconds)) {
+        return antialiasing_in_words(scene);
+    }
+    std::vector<std::string> goals;
+    if (arguments.error) {
+        goals.push_back(
+            fmt::format("an error of {}% for {}% of the pixels", *arguments.error * 100.0, arguments.confidence.value_or(0.95) * 100.0));
+    }
+    if (arguments.seconds) {
+        goals.push_back(fmt::format("{} s", *arguments.seconds));
+    }
+    goals.push_back(fmt::format("{} samples a pixel", samples_wanted(scene, arguments)));
+    return fmt::format("{}", fmt::join(goals, " or "));
+}
+
+Metadata describe(const scene::Scene& scene, const RenderArguments& arguments, const std::string& command) {
     const scene::RenderSettings& settings = scene.settings;
     return {
         {"Software", "lancer " LANCER_VERSION},
@@ -107,7 +144,7 @@ Metadata describe(const scene::Scene& scene, const std::string& command) {
         {"lancer:camera", scene.cameras.front().name},
         {"lancer:integrator", scene::chosen_integrator(scene)},
         {"lancer:bounces", fmt::format("{}", scene::bounces_of(scene))},
-        {"lancer:antialiasing", antialiasing_in_words(scene)},
+        {"lancer:antialiasing", goal_in_words(scene, arguments)},
         {"lancer:exposure", fmt::format("{}", settings.exposure)},
         {"lancer:view", settings.view},
         {"lancer:color", "linear Rec. 709 primaries, D65 white; PNG and JPEG encoded as sRGB"},
@@ -242,7 +279,8 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
                                                           scene.settings.width, scene.settings.height, max_pixels / 1000000));
         return std::nullopt;
     }
-    const PictureContents contents = contents_of(scene, diagnostics);
+    PictureContents contents = contents_of(scene, diagnostics);
+    add_goals(scene, arguments, contents, diagnostics);
     const std::shared_ptr<const World> world = compile_world(scene, scene.cameras.front(), diagnostics);
     if (world == nullptr || diagnostics.has_errors()) {
         return std::nullopt;
@@ -252,7 +290,11 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
     prepared.options.width = scene.settings.width;
     prepared.options.height = scene.settings.height;
     prepared.options.threads = arguments.threads.value_or(hardware_threads());
-    prepared.options.spp = scene::follows_paths(scene) ? scene.settings.spp : 0;
+    prepared.options.spp = scene::follows_paths(scene) ? samples_wanted(scene, arguments) : 0;
+    prepared.options.replicates = contents.replicates;
+    prepared.options.error = arguments.error.value_or(0.0);
+    prepared.options.confidence = contents.confidence;
+    prepared.options.seconds = arguments.seconds.value_or(0.0);
     prepared.options.ssaa = scene.settings.ssaa;
     prepared.options.adaptive = scene.settings.antialiasing == scene::Antialiasing::adaptive;
     prepared.options.adaptive_threshold = scene.settings.adaptive_threshold;
@@ -272,7 +314,11 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
     cpu.tracer = tracer_named(arguments.trace);
     cpu.threads = prepared.options.threads;
     prepared.device = make_cpu_device(world, cpu);
-    prepared.metadata = describe(scene, command);
+    prepared.metadata = describe(scene, arguments, command);
+    if (prepared.options.replicates > 0) {
+        prepared.options.error_floor = find_error_floor(*prepared.device, prepared.options);
+        prepared.contents.floor = prepared.options.error_floor;
+    }
     prepared.scene = std::move(scene);
     return prepared;
 }

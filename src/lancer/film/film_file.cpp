@@ -16,7 +16,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view signature = "lancer film\r\n\x1a\n\0"sv;  // as PNG's: shows what text transfers do to it
-constexpr std::uint32_t format_version = 1;
+constexpr std::uint32_t format_version = 2;
 constexpr std::uint32_t end_mark = 0xffffffffu;
 constexpr int largest_side = 65536;
 constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
@@ -30,10 +30,12 @@ void put_texts(const std::vector<std::string>& texts, ByteWriter& bytes) {
 
 std::string encode_head(const FilmAbout& about, const FilmShape& shape) {
     ByteWriter head;
-    for (const int number : {shape.width, shape.height, shape.tile_size, int{shape.sums}, int{shape.layers.variance},
-                             int{shape.layers.direct}, int{shape.layers.surface}, int{shape.layers.ids}, shape.layers.spectral_bins}) {
+    for (const int number :
+         {shape.width, shape.height, shape.tile_size, int{shape.sums}, int{shape.layers.variance}, int{shape.layers.direct},
+          int{shape.layers.surface}, int{shape.layers.ids}, shape.layers.spectral_bins, shape.layers.replicates}) {
         head.put(std::int32_t{number});
     }
+    head.put(shape.layers.clamp);
     head.put(static_cast<std::uint64_t>(about.texts.size()));
     for (const auto& [key, text] : about.texts) {
         head.put_text(key);
@@ -68,6 +70,8 @@ bool decode_head(std::string_view bytes, FilmAbout& about, FilmShape& shape) {
     shape.layers.surface = number() != 0;
     shape.layers.ids = number() != 0;
     shape.layers.spectral_bins = number();
+    shape.layers.replicates = number();
+    head.get(shape.layers.clamp);
     for (std::uint64_t i = 0, n = count(); i < n && head.good(); ++i) {
         const std::string key = head.get_text();
         about.texts[key] = head.get_text();
@@ -81,7 +85,7 @@ bool decode_head(std::string_view bytes, FilmAbout& about, FilmShape& shape) {
     const auto within = [](int value, int low, int high) { return value >= low && value <= high; };
     return head.good() && head.left() == 0 && within(shape.width, 1, largest_side) && within(shape.height, 1, largest_side) &&
            std::int64_t{shape.width} * shape.height <= most_pixels && within(shape.tile_size, 1, largest_side) &&
-           within(shape.layers.spectral_bins, 0, 4096);
+           within(shape.layers.spectral_bins, 0, 4096) && (shape.layers.replicates == 0 || shape.layers.replicates == error_replicates);
 }
 
 // A tile's number, its rounds, so many bytes, and the checksum of all these.

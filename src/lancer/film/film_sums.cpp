@@ -15,6 +15,9 @@ const double bins_to = static_cast<double>(kernel::LAST_WAVELENGTH);
 
 glm::dvec3 wide(const glm::vec3& v) { return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)}; }
 
+// Relative luminance of linear sRGB [IEC 61966-2-1].
+double luminance(const glm::dvec3& rgb) { return rgb.x * 0.2126729 + rgb.y * 0.7151522 + rgb.z * 0.0721750; }
+
 bool is_number(const glm::vec3& v) { return !(std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z)); }
 
 void count_id(int id, IdCounts& counts) {
@@ -55,24 +58,34 @@ FilmSums::FilmSums(int width, int height, const FilmLayers& layers) : width_(wid
         splats_ = std::make_unique<SplatSums>(width, height);
     }
     bins_.resize(pixels * static_cast<std::size_t>(layers.spectral_bins));
+    replicates_.resize(pixels * static_cast<std::size_t>(layers.replicates));
+    spreads_.resize(layers.replicates > 0 ? pixels : 0);
+    removed_.resize(layers.clamp > 0.0 ? pixels : 0);
 }
 
-void FilmSums::add(std::size_t pixel, const PathSamples& samples) {
+void FilmSums::add(std::size_t pixel, const PathSamples& samples, int first) {
     assert(samples.direct.empty() == !layers_.direct && samples.first_hits.empty() == !layers_.first_hits());
     // Sample by sample onto what there is, so that it makes no difference how the samples were cut into ranges.
     glm::dvec3 sum = sums_[pixel];
     for (std::size_t i = 0; i < samples.radiance.size(); ++i) {
+        if (layers_.replicates > 0) {
+            ++spreads_[pixel].samples;
+        }
         if (!is_number(samples.radiance[i])) {
             continue;
         }
         ++counts_[pixel];
-        const glm::dvec3 value = wide(samples.radiance[i]);
+        const double kept = layers_.clamp > 0.0 ? clamp(pixel, wide(samples.radiance[i])) : 1.0;
+        const glm::dvec3 value = wide(samples.radiance[i]) * kept;
         sum += value;
+        if (layers_.replicates > 0) {
+            add_replicate(pixel, first + static_cast<int>(i), luminance(value));
+        }
         if (layers_.variance) {
             squares_[pixel] += value * value;
         }
         if (layers_.direct) {
-            direct_[pixel] += wide(samples.direct[i]);
+            direct_[pixel] += wide(samples.direct[i]) * kept;
         }
         if (layers_.surface) {
             add_hit(samples.first_hits[i], surfaces_[pixel]);
@@ -82,7 +95,7 @@ void FilmSums::add(std::size_t pixel, const PathSamples& samples) {
             count_id(samples.first_hits[i].material, materials_[pixel]);
         }
         if (layers_.spectral_bins > 0) {
-            add_bins(pixel, samples.spectra[i]);
+            add_bins(pixel, samples.spectra[i], kept);
         }
     }
     sums_[pixel] = sum;
@@ -120,6 +133,9 @@ void FilmSums::visit_planes(Sums& sums, const Visit& visit) {
     visit(sums.direct_, 1);
     visit(sums.surfaces_, 1);
     visit(sums.bins_, sums.layers_.spectral_bins);
+    visit(sums.replicates_, sums.layers_.replicates);
+    visit(sums.spreads_, 1);
+    visit(sums.removed_, 1);
 }
 
 void FilmSums::save(std::size_t first, std::size_t count, ByteWriter& bytes) const {
@@ -148,13 +164,45 @@ void FilmSums::load(std::size_t first, std::size_t count, ByteReader& bytes) {
     }
 }
 
-void FilmSums::add_bins(std::size_t pixel, const SpectralSample& sample) {
+void FilmSums::add_replicate(std::size_t pixel, int sample, double luminance) {
+    replicates_[pixel * error_replicates + static_cast<std::size_t>(sample % error_replicates)] += static_cast<float>(luminance);
+    Spread& spread = spreads_[pixel];
+    spread.squares += luminance * luminance;
+    spread.largest = std::max(spread.largest, static_cast<float>(std::fabs(luminance)));
+}
+
+ReplicateSums FilmSums::replicates(std::size_t pixel) const {
+    ReplicateSums result;
+    std::copy_n(replicates_.begin() + static_cast<std::ptrdiff_t>(pixel * error_replicates), error_replicates, result.sums.begin());
+    result.largest = spreads_[pixel].largest;
+    result.squares = spreads_[pixel].squares;
+    result.samples = spreads_[pixel].samples;
+    result.total = luminance(sums_[pixel]);
+    result.count = counts_[pixel];
+    return result;
+}
+
+// The share of the sample that is kept.
+double FilmSums::clamp(std::size_t pixel, const glm::dvec3& value) {
+    const double bright = std::fabs(luminance(value));
+    if (bright <= layers_.clamp) {
+        return 1.0;
+    }
+    removed_[pixel] += bright - layers_.clamp;
+    return layers_.clamp / bright;
+}
+
+double FilmSums::clamped(std::size_t pixel) const {
+    return counts_[pixel] > 0 && layers_.clamp > 0.0 ? removed_[pixel] / static_cast<double>(counts_[pixel]) : 0.0;
+}
+
+void FilmSums::add_bins(std::size_t pixel, const SpectralSample& sample, double share_kept) {
     const double share = static_cast<double>(layers_.spectral_bins) / (bins_to - bins_from);
     for (int i = 0; i < 4; ++i) {
         const double place = (static_cast<double>(sample.nanometres[i]) - bins_from) * share;
         const int bin = std::clamp(static_cast<int>(place), 0, layers_.spectral_bins - 1);
         bins_[pixel * static_cast<std::size_t>(layers_.spectral_bins) + static_cast<std::size_t>(bin)] +=
-            static_cast<double>(sample.power[i]) * share;
+            static_cast<double>(sample.power[i]) * share * share_kept;
     }
 }
 

@@ -4,6 +4,7 @@
 // the samples were cut into ranges.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -17,6 +18,9 @@
 
 namespace lancer {
 
+// Sets of samples whose spread tells the error: see film/interval.h.
+constexpr int error_replicates = 16;
+
 // Which sums are kept beside those of the picture itself.
 struct FilmLayers {
     bool variance = false;
@@ -24,6 +28,8 @@ struct FilmLayers {
     bool surface = false;  // what is seen first: albedo, normal, depth, position, uv
     bool ids = false;      // of objects and materials
     int spectral_bins = 0;
+    int replicates = 0;   // error_replicates where the error is to be known
+    double clamp = 0.0;   // samples brighter than this luminance are made as dark; 0: none
     bool splats = false;  // light that falls anywhere
 
     bool first_hits() const { return surface || ids; }
@@ -39,6 +45,18 @@ struct SurfaceSums {
     std::uint32_t hits = 0;
 };
 
+// A pixel's luminance, by replicate.
+struct ReplicateSums {
+    std::array<float, error_replicates> sums{};
+    float largest = 0.0f;  // of the samples, in size
+    double squares = 0.0;  // of all samples
+    std::uint32_t samples = 0;
+    double total = 0.0;  // of the picture's own sums
+    std::uint32_t count = 0;
+
+    double mean() const { return count > 0 ? total / static_cast<double>(count) : 0.0; }
+};
+
 // Ids and how many samples saw each, in the order in which they came.
 using IdCounts = std::vector<std::pair<int, std::uint32_t>>;
 
@@ -50,8 +68,9 @@ public:
     int height() const { return height_; }
     const FilmLayers& layers() const { return layers_; }
 
-    // Adds the samples (of one pixel) but those that are NaN. Different pixels may be added to by several threads.
-    void add(std::size_t pixel, const PathSamples& samples);
+    // Adds the samples (of one pixel) but those that are NaN; the first of them is the pixel's sample `first`. Different pixels may be added to by
+    // several threads.
+    void add(std::size_t pixel, const PathSamples& samples, int first = 0);
 
     std::uint32_t count(std::size_t pixel) const { return counts_[pixel]; }  // of the samples in the sums
     // Splats included; these may come from anywhere, so that a pixel is finished when all are. 0 where there is none.
@@ -67,6 +86,9 @@ public:
     const IdCounts& objects(std::size_t pixel) const { return objects_[pixel]; }
     const IdCounts& materials(std::size_t pixel) const { return materials_[pixel]; }
 
+    ReplicateSums replicates(std::size_t pixel) const;  // where the layers have them
+    double clamped(std::size_t pixel) const;            // luminance that clamping took from the pixel's mean
+
     // Mean spectral radiance over the bin, per nanometre. Bins split the visible, 360 to 830 nm, evenly.
     float spectral(std::size_t pixel, int bin) const;
 
@@ -77,7 +99,9 @@ public:
 private:
     template <class Sums, class Visit>
     static void visit_planes(Sums& sums, const Visit& visit);
-    void add_bins(std::size_t pixel, const SpectralSample& sample);
+    void add_bins(std::size_t pixel, const SpectralSample& sample, double share_kept);
+    void add_replicate(std::size_t pixel, int sample, double luminance);
+    double clamp(std::size_t pixel, const glm::dvec3& value);
 
     int width_;
     int height_;
@@ -91,6 +115,14 @@ private:
     std::vector<IdCounts> materials_;
     std::unique_ptr<SplatSums> splats_;
     std::vector<double> bins_;  // spectral_bins for each pixel
+    struct Spread {
+        double squares = 0.0;
+        float largest = 0.0f;
+        std::uint32_t samples = 0;
+    };
+    std::vector<float> replicates_;  // `replicates` for each pixel
+    std::vector<Spread> spreads_;
+    std::vector<double> removed_;  // luminance, by clamping
 };
 
 }  // namespace lancer

@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "lancer/film/interval.h"
 #include "lancer/image/cryptomatte.h"
 
 namespace lancer {
@@ -93,7 +94,25 @@ private:
                 return add1("samples", Stored::float32, [&](std::size_t i) { return static_cast<float>(sums_.count(i)); });
             case Aov::variance:
                 return add3("variance", "RGB", Stored::float32, [&](std::size_t i) { return sums_.variance(i); });
+            case Aov::interval:
+                return add_intervals();
         }
+    }
+
+    void add_intervals() {
+        const IntervalRule rule(contents_.confidence, contents_.floor);
+        std::vector<Interval> intervals(film_.samples.size());
+        for (const Tile& block : cut_tiles(film_.width, film_.height, interval_block)) {
+            const std::vector<Interval> found = rule.of(sums_, block);
+            for (int y = block.y0; y < block.y1; ++y) {
+                std::copy_n(found.begin() + static_cast<std::ptrdiff_t>(y - block.y0) * block.width(), block.width(),
+                            intervals.begin() + static_cast<std::ptrdiff_t>(film_.index(block.x0, y)));
+            }
+        }
+        add1("interval.low", Stored::float32, [&](std::size_t i) { return static_cast<float>(intervals[i].middle - intervals[i].half_width); });
+        add1("interval.high", Stored::float32,
+             [&](std::size_t i) { return static_cast<float>(intervals[i].middle + intervals[i].half_width); });
+        add1("interval.tail", Stored::float32, [&](std::size_t i) { return intervals[i].heavy() ? 1.0f : 0.0f; });
     }
 
     template <class Counts>
@@ -149,6 +168,8 @@ FilmLayers layers_for(const PictureContents& contents) {
     layers.surface = has({Aov::albedo, Aov::normal, Aov::depth, Aov::position, Aov::uv});
     layers.ids = has({Aov::object_id, Aov::material_id});
     layers.spectral_bins = contents.spectral_bins;
+    layers.replicates = contents.replicates;
+    layers.clamp = contents.clamp;
     return layers;
 }
 

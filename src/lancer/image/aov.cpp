@@ -15,6 +15,7 @@ const std::vector<AovKind>& aov_kinds() {
         {Aov::indirect, "indirect", "indirect.R G B", "the rest of the light"},
         {Aov::samples, "samples", "samples", "how many samples the pixel rests on"},
         {Aov::variance, "variance", "variance.R G B", "the variance of the pixel's mean"},
+        {Aov::interval, "interval", "interval.low high tail", "where the truth lies with the stated confidence, as luminance"},
     };
     return kinds;
 }

@@ -8,7 +8,7 @@
 
 namespace lancer {
 
-enum class Aov { albedo, normal, depth, position, uv, object_id, material_id, direct, indirect, samples, variance };
+enum class Aov { albedo, normal, depth, position, uv, object_id, material_id, direct, indirect, samples, variance, interval };
 
 struct AovKind {
     Aov aov;

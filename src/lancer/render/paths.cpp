@@ -28,7 +28,7 @@ void PathTracer::trace(const PathRange& range, RayCounts& counts) {
     device_.trace_paths(range, {radiance_, direct_, first_hits_, spectra_, layers_.splats ? &splats_ : nullptr}, counts);
 }
 
-void PathTracer::put(FilmState& state) {
+void PathTracer::put(FilmState& state, int left, int top) {
     Film& film = state.film();
     FilmSums& sums = *state.sums();
     const PathSamples samples{radiance_, direct_, first_hits_, spectra_, nullptr};
@@ -39,8 +39,8 @@ void PathTracer::put(FilmState& state) {
     std::size_t next = 0;
     for (int y = range_.y0; y < range_.y1; ++y) {
         for (int x = range_.x0; x < range_.x1; ++x) {
-            const std::size_t pixel = film.index(x, y);
-            sums.add(pixel, samples.part(next, count));
+            const std::size_t pixel = film.index(x - left, y - top);
+            sums.add(pixel, samples.part(next, count), range_.first_sample);
             next += count;
             film.radiance[pixel] = sums.mean(pixel);
             film.samples[pixel] = static_cast<std::uint32_t>(range_.first_sample + range_.sample_count);
@@ -59,6 +59,7 @@ RoundOutcome PathSampler::render_round(FilmState& state, std::size_t tile, RayCo
         return RoundOutcome::cancelled;
     }
     tracer_.trace({place.x0, place.y0, place.x1, place.y1, pass.first_sample, pass.sample_count}, counts);
+    samples_left_ = static_cast<double>(spp_ - pass.first_sample - pass.sample_count) * place.width() * place.height();
     const auto lock = state.lock(tile);
     tracer_.put(state);
     state.add_round(tile);

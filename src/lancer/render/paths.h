@@ -27,8 +27,8 @@ public:
 
     // Follows the paths of a range. What they bring is kept here.
     void trace(const PathRange& range, RayCounts& counts);
-    // Adds what the last range brought to the film. The caller has the tile's lock.
-    void put(FilmState& state);
+    // Adds what the last range brought to the film. The caller has the tile's lock. `left`, `top`: which pixel of the picture the film begins with.
+    void put(FilmState& state, int left = 0, int top = 0);
 
 private:
     const Device& device_;
@@ -50,10 +50,12 @@ public:
     PathSampler(const Device& device, const FilmState& state, int spp) : tracer_(device, state.sums()->layers()), spp_(spp) {}
 
     RoundOutcome render_round(FilmState& state, std::size_t tile, RayCounts& counts, const std::atomic<bool>* cancel) override;
+    double samples_left() const override { return samples_left_; }
 
 private:
     PathTracer tracer_;
     int spp_;
+    double samples_left_ = 0.0;
 };
 
 }  // namespace lancer

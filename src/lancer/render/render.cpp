@@ -1,6 +1,7 @@
 #include "lancer/render/render.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <chrono>
 #include <cmath>
@@ -11,10 +12,13 @@
 #include <thread>
 #include <vector>
 
+#include "lancer/base/thread_clock.h"
 #include "lancer/film/display.h"
 #include "lancer/render/adaptive.h"
 #include "lancer/render/paths.h"
+#include "lancer/render/replicated_paths.h"
 #include "lancer/render/threads.h"
+#include "lancer/render/time_left.h"
 #include "lancer/render/uniform.h"
 
 namespace lancer {
@@ -22,6 +26,11 @@ namespace lancer {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// Whole samples for each replicate.
+int replicated_limit(const RenderOptions& options) {
+    return std::max(error_replicates, (options.spp + error_replicates - 1) / error_replicates * error_replicates);
+}
 
 // One render: the tiles that are left, and what the threads have found so far.
 class Work {
@@ -34,15 +43,15 @@ public:
         left_ = own_tiles();
         for (const std::size_t tile : left_) {
             const Tile& place = state.tiles()[tile];
-            progress_.pixels_total += area(place) * std::max(options.spp, 1);
+            progress_.pixels_total += area(place) * std::max(samples_limit(), 1);
             progress_.pixels_done += done_before(tile);
         }
-        done_at_start_ = progress_.pixels_done;
+        begin_to_foresee();
     }
 
     // Round after round, each on all threads, until no tile is left.
     void run(int threads) {
-        while (!left_.empty() && !is_cancelled(cancel_)) {
+        while (!left_.empty() && !stops()) {
             next_ = 0;
             unfinished_.assign(left_.size(), 1);
             run_on_threads(threads, [&] { take_tiles(); });
@@ -53,6 +62,9 @@ public:
                 }
             }
             left_.resize(kept);
+            if (options_.error > 0.0 && observer_ != nullptr) {
+                progress_.error = report_errors(goal(), state_).reached;
+            }
         }
         const FilmSums* sums = state_.sums();
         if (sums != nullptr && sums->splats() != nullptr) {
@@ -68,7 +80,10 @@ public:
         result.rays = counts_;
         result.samples = progress_.samples_done;
         result.seconds = seconds();
-        result.finished = left_.empty();
+        result.out_of_time = !left_.empty() && is_out_of_time();
+        result.finished = left_.empty() || (result.out_of_time && !is_cancelled(cancel_));
+        result.error = report_errors(goal(), state_);
+        result.clamped = clamped_share();
         result.bad_samples = BadSamples(device_, state_);
         const Film& film = state_.film();
         for (int y = 0; y < film.height; ++y) {
@@ -84,6 +99,22 @@ public:
     }
 
 private:
+    ErrorGoal goal() const { return {options_.error, options_.confidence, options_.error_floor}; }
+
+    bool is_out_of_time() const { return options_.seconds > 0.0 && seconds() >= options_.seconds; }
+    bool stops() const { return is_cancelled(cancel_) || is_out_of_time(); }
+
+    double clamped_share() const {
+        double removed = 0.0, kept = 0.0;
+        for (std::size_t pixel = 0; options_.spp > 0 && pixel < state_.film().radiance.size(); ++pixel) {
+            removed += state_.sums()->clamped(pixel);
+            const glm::vec3 light = state_.sums()->mean(pixel);
+            kept += 0.2126729 * static_cast<double>(light.x) + 0.7151522 * static_cast<double>(light.y) +
+                    0.0721750 * static_cast<double>(light.z);
+        }
+        return removed > 0.0 ? removed / (removed + kept) : 0.0;
+    }
+
     static std::int64_t area(const Tile& tile) { return static_cast<std::int64_t>(tile.width()) * tile.height(); }
 
     std::vector<std::size_t> own_tiles() const {
@@ -106,7 +137,7 @@ private:
         for (int y = place.y0; y < place.y1; ++y) {
             for (int x = place.x0; x < place.x1; ++x) {
                 samples +=
-                    std::min(static_cast<std::int64_t>(state_.film().samples[state_.film().index(x, y)]), std::int64_t{options_.spp});
+                    std::min(static_cast<std::int64_t>(state_.film().samples[state_.film().index(x, y)]), std::int64_t{samples_limit()});
             }
         }
         return samples;
@@ -116,24 +147,26 @@ private:
     void take_tiles() {
         RayCounts counts;
         const std::unique_ptr<TileSampler> sampler = make_sampler();
-        while (!is_cancelled(cancel_)) {
+        while (!stops()) {
             const std::size_t next = next_.fetch_add(1, std::memory_order_relaxed);
             if (next >= left_.size()) {
                 break;
             }
             const std::uint64_t rays_before = counts.camera;
             const std::int64_t done = done_before(left_[next]);
+            const double worked = thread_seconds();
             const RoundOutcome outcome = sampler->render_round(state_, left_[next], counts, cancel_);
             if (outcome == RoundOutcome::cancelled) {
                 break;
             }
             unfinished_[next] = outcome == RoundOutcome::unfinished ? 1 : 0;
-            // Of paths the samples count, and not the rays: those that start at lamps reach the camera by many.
-            if (options_.spp > 0) {
-                const std::int64_t more = done_before(left_[next]) - done;
-                tell(state_.tiles()[left_[next]], more, static_cast<std::uint64_t>(more));
-            } else if (counts.camera > rays_before) {
-                tell(state_.tiles()[left_[next]], area(state_.tiles()[left_[next]]), counts.camera - rays_before);
+            if (const std::int64_t more = done_before(left_[next]) - done; more > 0) {
+                // Of paths the samples count, and not the rays: those that start at lamps reach the camera by many.
+                const std::uint64_t samples = options_.spp > 0 ? static_cast<std::uint64_t>(more) : counts.camera - rays_before;
+                tell(left_[next], more, samples, thread_seconds() - worked, sampler->samples_left());
+            } else {
+                const std::scoped_lock lock(mutex_);
+                time_left_.skip(left_[next]);
             }
         }
         const std::scoped_lock lock(mutex_);
@@ -141,6 +174,9 @@ private:
     }
 
     std::unique_ptr<TileSampler> make_sampler() {
+        if (options_.replicates > 0) {
+            return std::make_unique<ReplicatedPathSampler>(device_, state_, goal(), replicated_limit(options_));
+        }
         if (options_.spp > 0) {
             return std::make_unique<PathSampler>(device_, state_, options_.spp);
         }
@@ -151,17 +187,44 @@ private:
         return std::make_unique<UniformSampler>(device_, *patterns_);
     }
 
-    void tell(const Tile& tile, std::int64_t pixels, std::uint64_t samples) {
+    void tell(std::size_t tile, std::int64_t pixels, std::uint64_t samples, double work, double samples_left) {
         const std::scoped_lock lock(mutex_);
         progress_.pixels_done += pixels;
         progress_.samples_done += samples;
+        time_left_.add(tile, work, static_cast<double>(pixels), samples_left);
         if (observer_ != nullptr) {
             progress_.seconds = seconds();
-            const double left = static_cast<double>(progress_.pixels_total - progress_.pixels_done);
-            progress_.seconds_left = progress_.seconds * left / static_cast<double>(progress_.pixels_done - done_at_start_);
-            observer_->tile_done(state_.film(), tile, progress_);
+            progress_.seconds_left = time_left_.seconds(progress_.seconds);
+            if (options_.seconds > 0.0) {
+                progress_.seconds_left = std::clamp(options_.seconds - progress_.seconds, 0.0, progress_.seconds_left);
+            }
+            progress_.share = share_done();
+            observer_->tile_done(state_.film(), state_.tiles()[tile], progress_);
         }
     }
+
+    // Where the number of samples is known, all that are there count; otherwise the work.
+    double share_done() const {
+        if (options_.error == 0.0 && options_.seconds == 0.0) {
+            return static_cast<double>(progress_.pixels_done) / static_cast<double>(progress_.pixels_total);
+        }
+        return std::max(progress_.seconds / std::max(progress_.seconds + progress_.seconds_left, 1e-9), progress_.share);
+    }
+
+    void begin_to_foresee() {
+        std::vector<double> sizes(state_.tiles().size(), 0.0);
+        for (const std::size_t tile : left_) {
+            sizes[tile] = static_cast<double>(area(state_.tiles()[tile]));
+        }
+        time_left_ = TimeLeft(sizes);
+        for (std::size_t i = 0; options_.error == 0.0 && i < left_.size(); ++i) {
+            const std::int64_t all = area(state_.tiles()[left_[i]]) * std::max(samples_limit(), 1);
+            time_left_.expect(left_[i], static_cast<double>(all - done_before(left_[i])));
+        }
+    }
+
+    // Samples of a pixel that are not exceeded; 0 where paths are not what is followed.
+    int samples_limit() const { return options_.replicates > 0 ? replicated_limit(options_) : options_.spp; }
 
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
@@ -174,12 +237,12 @@ private:
     std::optional<UniformPatterns> patterns_;
     std::vector<std::size_t> left_;  // tiles that are not finished, in the order of work
     std::vector<char> unfinished_;   // of these: whether they are left after this round
-    std::int64_t done_at_start_ = 0;
     Clock::time_point start_ = Clock::now();
 
     std::atomic<std::size_t> next_{0};
     std::mutex mutex_;  // guards what follows, and lets one thread at a time speak to the observer
     RenderProgress progress_;
+    TimeLeft time_left_{{}};
     RayCounts counts_;
 };
 
@@ -205,8 +268,42 @@ std::vector<int> shards_of_tiles(std::size_t tiles, int shards) {
     return owners;
 }
 
+double find_error_floor(const Device& device, const RenderOptions& options) {
+    constexpr int wanted = 4096;  // pixels
+    constexpr int samples = 4;
+    const double pixels = static_cast<double>(options.width) * options.height;
+    const int step = std::max(1, static_cast<int>(std::sqrt(pixels / wanted)));
+    double roots = 0.0;
+    int count = 0;
+    RayCounts ignored;
+    for (int y = step / 2; y < options.height; y += step) {
+        for (int x = step / 2; x < options.width; x += step, ++count) {
+            std::array<glm::vec3, samples> light;
+            device.follow_paths({x, y, x + 1, y + 1, 0, samples}, light, ignored);
+            double sum = 0.0;
+            for (const glm::vec3& c : light) {
+                const double y_of =
+                    0.2126729 * static_cast<double>(c.x) + 0.7151522 * static_cast<double>(c.y) + 0.0721750 * static_cast<double>(c.z);
+                sum += std::isfinite(y_of) ? y_of : 0.0;
+            }
+            roots += std::sqrt(std::max(sum / samples, 0.0));
+        }
+    }
+    const double root = count > 0 ? roots / count : 0.0;
+    return std::max(0.1 * root * root, 1e-30);
+}
+
 bool is_finished(const RenderOptions& options, const FilmState& state, std::size_t tile) {
     const Tile& place = state.tiles()[tile];
+    if (options.replicates > 0) {
+        const int limit = replicated_limit(options);
+        if (options.error > 0.0) {
+            const TileNeeds needs =
+                needs_of({options.error, options.confidence, options.error_floor}, IntervalRule(options.confidence, options.error_floor), state, tile, limit);
+            return needs.cells.empty();
+        }
+        return state.film().samples[state.film().index(place.x0, place.y0)] >= static_cast<std::uint32_t>(limit);
+    }
     return options.spp == 0 ? state.rounds(tile) > 0
                             : state.film().samples[state.film().index(place.x0, place.y0)] >= static_cast<std::uint32_t>(options.spp);
 }
@@ -219,6 +316,9 @@ RenderStatistics render(const Device& device, const RenderOptions& options, Film
     assert(options.threads >= 0 && options.threads <= max_threads);
     assert(options.shard >= 1 && options.shard <= options.shards && options.shards <= max_shards);
     assert((state.sums() != nullptr) == (options.spp > 0) && state.tile_size() == tile_size_for(options));
+    assert(options.error == 0.0 || options.replicates == error_replicates);
+    assert(options.replicates == 0 || options.error_floor > 0.0);
+    assert(options.spp == 0 || state.sums()->layers().replicates == options.replicates);
 
     Work work(device, options, state, observer, cancel);
     const int threads = options.threads > 0 ? options.threads : hardware_threads();
@@ -234,6 +334,7 @@ RenderStatistics render(const Device& device, const RenderOptions& options, Film
     if (options.spp > 0 && sums == nullptr) {
         FilmLayers layers;
         layers.splats = device.makes_splats();
+        layers.replicates = options.replicates;
         sums = &own.emplace(options.width, options.height, layers);
     }
     FilmState state(film, options.spp > 0 ? sums : nullptr, tile_size_for(options));

@@ -13,6 +13,7 @@
 #include "lancer/film/film_sums.h"
 #include "lancer/film/tiles.h"
 #include "lancer/render/bad_samples.h"
+#include "lancer/render/error_goal.h"
 
 namespace lancer {
 
@@ -27,6 +28,11 @@ struct RenderOptions {
     int adaptive_depth = 3;            // how often at most
     double exposure = 0.0;             // stops; the comparison is made after it
     std::uint32_t shuffle = 0;         // 0: tiles row by row; otherwise the seed of another order. The picture is the same
+    int replicates = 0;                // of the path integrator: error_replicates where the error is to be known
+    double error = 0.0;                // relative; 0: no goal. Otherwise `spp` is what is not exceeded (render/error_goal.h)
+    double confidence = 0.95;          // share of the pixels, and chance that the truth lies within a pixel's interval
+    double error_floor = 0.0;          // luminance that darker pixels count as having
+    double seconds = 0.0;              // after which the render ends; 0: none
     int shard = 1;                     // of `shards` shares of the tiles, only this one is rendered
     int shards = 1;
 };
@@ -39,6 +45,10 @@ constexpr int max_shards = 1000000;
 // The side of the tiles that a film is cut into for these options, in pixels.
 int tile_size_for(const RenderOptions& options);
 
+// A tenth of the picture's brightness, for RenderOptions::error_floor: what is darker than that needs no better absolute precision. Brightness is the square
+// of the mean root of luminance over some 4096 pixels with four samples each, which a few lamps in the picture change little.
+double find_error_floor(const Device& device, const RenderOptions& options);
+
 // Which of `shards` shares of the work each tile of a picture belongs to, from 1 on: as good as at random, so that each share has its part of what
 // is hard, and as even as the number of tiles allows.
 std::vector<int> shards_of_tiles(std::size_t tiles, int shards);
@@ -49,10 +59,12 @@ bool is_finished(const RenderOptions& options, const FilmState& state, std::size
 // What a render tells while it runs. Called from worker threads, one call at a time.
 struct RenderProgress {
     std::int64_t pixels_done = 0;  // paths: times the samples of each
-    std::int64_t pixels_total = 0;
+    std::int64_t pixels_total = 0;  // at most
     std::uint64_t samples_done = 0;  // camera samples, since the start
+    double share = 0.0;              // of all that is to be done, in [0, 1]; estimated where that is not known
     double seconds = 0.0;            // since the start
     double seconds_left = 0.0;       // estimated
+    double error = 0.0;  // of a render with a goal, after each round: reached so far for the wanted share of pixels; 0: not known yet
 };
 
 struct RenderStatistics {
@@ -60,7 +72,10 @@ struct RenderStatistics {
     std::uint64_t samples = 0;  // camera samples
     double seconds = 0.0;
     int threads = 0;
-    bool finished = false;  // false when cancelled
+    bool finished = false;     // false when cancelled
+    bool out_of_time = false;  // options.seconds were over first
+    ErrorReport error;         // where there are replicates
+    double clamped = 0.0;      // share of the picture's light that clamping took away
 
     // Samples of the path integrator that were left out of the picture.
     BadSamples bad_samples;

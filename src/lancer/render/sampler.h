@@ -20,6 +20,9 @@ public:
     // One more round of work on a tile, or none where it is finished. When cancelled on the way, the tile's pixels count as before. Nobody else works
     // on the tile meanwhile; others may read it under its lock.
     virtual RoundOutcome render_round(FilmState& state, std::size_t tile, RayCounts& counts, const std::atomic<bool>* cancel) = 0;
+
+    // How many samples that tile will still take, as far as can be told after that round.
+    virtual double samples_left() const = 0;
 };
 
 // Work that is done in one round.
@@ -35,6 +38,8 @@ public:
         }
         return RoundOutcome::finished;
     }
+
+    double samples_left() const final { return 0.0; }
 
     // False when it was cancelled on the way.
     virtual bool render_tile(const Tile& tile, Film& film, RayCounts& counts, const std::atomic<bool>* cancel) = 0;

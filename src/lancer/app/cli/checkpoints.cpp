@@ -1,7 +1,5 @@
 #include "lancer/app/cli/checkpoints.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -10,6 +8,7 @@
 
 #include "lancer/app/cli/film_about.h"
 #include "lancer/base/failure.h"
+#include "lancer/base/thread_clock.h"
 
 namespace lancer::app {
 
@@ -17,13 +16,6 @@ namespace {
 
 // Of the time between two checkpoints, a processor spends at most this share on writing one. Waiting for the disk holds nobody up.
 constexpr double largest_share = 0.02;
-
-// What the calling thread has used of a processor.
-double thread_seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
-}
 
 }  // namespace
 

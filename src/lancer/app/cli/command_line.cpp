@@ -111,6 +111,7 @@ int run_command_line(const std::vector<std::string>& words) {
     add_render(program, work);
     add_resume(program, work);
     add_merge(program, work);
+    add_reproduce(program, work);
     add_info(program, work);
     add_import(program, work);
     add_convert(program, work);

@@ -31,6 +31,7 @@ void add_schema(CLI::App& program, Work& work);
 void add_bench(CLI::App& program, Work& work);
 void add_resume(CLI::App& program, Work& work);
 void add_merge(CLI::App& program, Work& work);
+void add_reproduce(CLI::App& program, Work& work);
 
 // Prints what is wrong and where help is; returns the exit status.
 int refuse(const std::string& sentence, const CLI::App& app);

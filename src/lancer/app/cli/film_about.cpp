@@ -45,6 +45,9 @@ FilmAbout about_film(const Prepared& prepared, const std::vector<std::string>& w
     about.texts["film:folder"] = std::filesystem::current_path().string();
     about.texts["film:wide"] = prepared.contents.wide ? "yes" : "no";
     about.texts["film:spectral-bins"] = fmt::format("{}", prepared.contents.spectral_bins);
+    about.texts["film:error"] = fmt::format("{}", options.error);
+    about.texts["film:confidence"] = fmt::format("{}", options.confidence);
+    about.texts["film:floor"] = fmt::format("{}", options.error_floor);
     about.texts["film:spp"] = fmt::format("{}", options.spp);
     about.texts["film:shard"] = fmt::format("{}", options.shard);
     about.texts["film:shards"] = fmt::format("{}", options.shards);
@@ -72,6 +75,8 @@ Presentation presentation_of(const FilmAbout& about) {
         }
     }
     presentation.contents.spectral_bins = whole_in(about.text("film:spectral-bins"));
+    presentation.contents.confidence = number_in(about.text("film:confidence"));
+    presentation.contents.floor = number_in(about.text("film:floor"));
     presentation.contents.wide = about.text("film:wide") == "yes";
     presentation.names = {about.list("objects"), about.list("materials")};
     return presentation;
@@ -82,6 +87,10 @@ RenderOptions options_of(const FilmAbout& about, const FilmShape& shape) {
     options.width = shape.width;
     options.height = shape.height;
     options.spp = whole_in(about.text("film:spp"));
+    options.replicates = shape.layers.replicates;
+    options.error = number_in(about.text("film:error"));
+    options.confidence = number_in(about.text("film:confidence"));
+    options.error_floor = number_in(about.text("film:floor"));
     options.shard = std::max(1, whole_in(about.text("film:shard")));
     options.shards = std::max(1, whole_in(about.text("film:shards")));
     return options;

@@ -48,7 +48,7 @@ std::string with_prefix(double number, const std::string& unit) {
     return fmt::format("{:.{}f} {}{}", number, digits, prefixes[i], unit);
 }
 
-void ProgressPrinter::show(double share, double seconds, double seconds_left, const std::string& rate) {
+void ProgressPrinter::show(double share, double seconds, double seconds_left, const std::string& rate, const std::string& more) {
     if (style_ == ProgressStyle::none) {
         return;
     }
@@ -60,8 +60,8 @@ void ProgressPrinter::show(double share, double seconds, double seconds_left, co
     }
     last_ = now;
     if (style_ == ProgressStyle::json) {
-        fmt::print(stderr, "{{\"event\":\"progress\",\"share\":{:.4f},\"seconds\":{:.3f},\"seconds_left\":{:.3f}}}\n", share, seconds,
-                   seconds_left);
+        fmt::print(stderr, "{{\"event\":\"progress\",\"share\":{:.4f},\"seconds\":{:.3f},\"seconds_left\":{:.3f}{}}}\n", share, seconds,
+                   seconds_left, more);
     } else if (style_ == ProgressStyle::plain) {
         fmt::print(stderr, "{}: {:.0f} %{}{}, {} left\n", what_, std::floor(share * 100.0), rate.empty() ? "" : ", ", rate,
                    in_words(std::ceil(seconds_left)));
@@ -84,9 +84,12 @@ void ProgressPrinter::clear() {
 }
 
 void RenderProgressPrinter::tile_done(const Film&, const Tile&, const RenderProgress& progress) {
-    printer_.show(static_cast<double>(progress.pixels_done) / static_cast<double>(progress.pixels_total), progress.seconds,
-                  progress.seconds_left,
-                  with_prefix(static_cast<double>(progress.samples_done) / std::max(progress.seconds, 1e-9), "samples/s"));
+    const double a_second = static_cast<double>(progress.samples_done) / std::max(progress.seconds, 1e-9);
+    const bool has_error = progress.error > 0.0 && std::isfinite(progress.error);
+    const std::string error = has_error ? fmt::format(", error {:.2g}%", progress.error * 100.0) : "";
+    std::string more = fmt::format(",\"samples\":{},\"samples_per_second\":{:.0f}", progress.samples_done, a_second);
+    more += has_error ? fmt::format(",\"error\":{:.6g}", progress.error) : "";
+    printer_.show(progress.share, progress.seconds, progress.seconds_left, with_prefix(a_second, "samples/s") + error, more);
 }
 
 }  // namespace lancer::app

@@ -22,7 +22,8 @@ public:
     ProgressPrinter(ProgressStyle style, std::string what) : style_(style), what_(std::move(what)) {}
     ~ProgressPrinter() { clear(); }
 
-    void show(double share, double seconds, double seconds_left, const std::string& rate);
+    // `more`: what programs are told besides, as JSON's ",\"key\":value".
+    void show(double share, double seconds, double seconds_left, const std::string& rate, const std::string& more = "");
     void clear();  // removes the bar, so that something else can be printed
 
 private:

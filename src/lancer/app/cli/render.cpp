@@ -44,6 +44,7 @@ void add_job_options(CLI::App& app, RenderJob& job) {
         ->allow_extra_args(false);
     add_text(app, "--sample-map", job.sample_map, "FILE", "A second picture: how many samples each pixel took, bright where many");
     add_text(app, "--stats", job.stats, "FILE", "Numbers about the render, as JSON");
+    add_text(app, "--preview", job.preview, "FILE", "A picture that is written anew while the render goes on, every second or less often");
     add_choice(app, "--progress", job.progress, {"bar", "plain", "json"}, "How progress is told, on standard error");
     app.add_flag("--quiet", job.quiet, "Say nothing but warnings and errors");
     add_shard(app, job.shard);

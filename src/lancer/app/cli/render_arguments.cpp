@@ -44,6 +44,17 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
                "How lamps are found: both ways together, by asking lamps, by scattered rays (direct)")
         ->group("Light");
     add_whole(app, "--spp", arguments.spp, 1, 1 << 20, "Samples a pixel (path)")->group("Light");
+    add_percentage(app, "--error", arguments.error,
+                   "Render until the picture is known so well, and put samples where they are missing (path)")
+        ->group("Light");
+    add_percentage(app, "--confidence", arguments.confidence,
+                   "The share of pixels, and the chance, that --error speaks of; 95% if not given")
+        ->group("Light");
+    add_duration(app, "--time", arguments.seconds, "Render so long; with --error or --spp, what comes first ends it (path)")
+        ->group("Light");
+    add_real(app, "--clamp", arguments.clamp, 1e-6, 1e30,
+             "Make samples that are brighter than X as dark as X: less noise, less right (path)")
+        ->group("Light");
     app.add_flag("--rgb", arguments.rgb, "Paths carry linear RGB instead of wavelengths: quicker, less right (path)")->group("Light");
     add_whole(app, "--seed", arguments.seed, 0, 2147483647, "Another number, another noise (path)")->group("Light");
     add_choice(app, "--aa", arguments.antialiasing, {"uniform", "adaptive"},
@@ -100,6 +111,10 @@ std::vector<std::string> words_of(const RenderArguments& arguments) {
     add("--transmission-bounces", arguments.transmission_bounces);
     add("--direct-samples", arguments.direct_samples);
     add("--spp", arguments.spp);
+    add("--error", arguments.error ? std::optional(fmt::format("{}%", *arguments.error * 100.0)) : std::nullopt);
+    add("--confidence", arguments.confidence ? std::optional(fmt::format("{}%", *arguments.confidence * 100.0)) : std::nullopt);
+    add("--time", arguments.seconds ? std::optional(fmt::format("{}s", *arguments.seconds)) : std::nullopt);
+    add("--clamp", arguments.clamp);
     if (arguments.rgb) {
         words.push_back("--rgb");
     }

@@ -26,6 +26,10 @@ struct RenderArguments {
     std::optional<int> transmission_bounces;
     std::optional<std::string> direct_samples;
     std::optional<int> spp;
+    std::optional<double> error;       // relative
+    std::optional<double> confidence;  // a share
+    std::optional<double> seconds;
+    std::optional<double> clamp;
     bool rgb = false;
     std::optional<int> seed;
     std::optional<int> ssaa;

@@ -17,6 +17,7 @@
 #include "lancer/app/cli/import_arguments.h"
 #include "lancer/app/cli/interrupt.h"
 #include "lancer/app/cli/outputs.h"
+#include "lancer/app/cli/previews.h"
 #include "lancer/app/cli/progress.h"
 #include "lancer/app/cli/render_report.h"
 #include "lancer/app/exit_status.h"
@@ -131,6 +132,10 @@ public:
             const CheckpointTimes times = job_.checkpoint ? CheckpointTimes{*job_.checkpoint, *job_.checkpoint} : CheckpointTimes{};
             checkpoints.emplace(begun_ ? begun_->output : outputs_.first, about, state, times);
         }
+        std::optional<Previews> previews;
+        if (job_.preview) {
+            previews.emplace(*job_.preview, state, *prepared_);
+        }
         const ProgressStyle style = choose_progress(job_.progress, job_.quiet);
         if (prepared_->scene.settings.integrator == "auto" && scene::follows_paths(prepared_->scene) && !job_.quiet &&
             style != ProgressStyle::json) {
@@ -142,6 +147,7 @@ public:
         const std::clock_t processor_start = std::clock();
         const RenderStatistics done = render(*prepared_->device, prepared_->options, state, &progress, &interrupted);
         printer.clear();
+        previews.reset();
         times_.render = done.seconds;
         times_.processor = static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC;
         report_bad_samples(done.bad_samples, *prepared_->world);
@@ -173,6 +179,9 @@ private:
         if (job_.stats) {
             check_file(*job_.stats, "--stats", diagnostics);
         }
+        if (job_.preview) {
+            check_pictures({*job_.preview}, "--preview", diagnostics);
+        }
         const auto load_start = Clock::now();
         ImportReport report;
         std::optional<scene::Scene> scene = import_scene(file, job_.render.import, report, diagnostics);
@@ -194,10 +203,10 @@ private:
         if (prepared_) {
             check_contents(job_, prepared_->contents, diagnostics);
             if (prepared_->device->makes_splats() && needs_film()) {
-                diagnostics.error(
-                    {},
-                    "light from the lamps falls on tiles that others have rendered: films, shards and checkpoints are for paths from the "
-                    "camera (--integrator path)");
+                diagnostics.error({},
+                                  "light from the lamps falls on tiles that others have rendered: films, shards, checkpoints and stated "
+                                  "errors are for paths from "
+                                  "the camera (--integrator path)");
             }
             if (job_.shard) {
                 prepared_->options.shard = job_.shard->shard;
@@ -208,7 +217,9 @@ private:
         return prepared_ && !diagnostics.has_errors();
     }
 
-    bool needs_film() const { return job_.shard || job_.checkpoint.value_or(0.0) > 0.0 || begun_ || !outputs_.films.empty(); }
+    bool needs_film() const {
+        return job_.shard || job_.render.error || job_.checkpoint.value_or(0.0) > 0.0 || begun_ || !outputs_.films.empty();
+    }
 
     // What has gone through checkpoints stays open for more samples.
     void keep(Checkpoints& checkpoints, bool finished, int count) {

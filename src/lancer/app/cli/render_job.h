@@ -37,6 +37,7 @@ struct RenderJob {
     FramePart part;                      // of more than this picture
     bool keeps_film = true;              // beside a picture that took long, for more samples later
     std::optional<double> checkpoint;    // seconds; 0: none
+    std::optional<std::string> preview;
     bool quiet = false;
     RenderArguments render;
 };

@@ -49,6 +49,14 @@ nlohmann::ordered_json bad_samples_json(const BadSamples& bad, const World& worl
     return {{"count", bad.count()}, {"first", first}};
 }
 
+// "error", "time", "samples", or "stopped".
+const char* ended_by(const RenderOptions& options, const RenderStatistics& done) {
+    return !done.finished                                                  ? "stopped"
+           : done.out_of_time                                              ? "time"
+           : options.error > 0.0 && done.error.share >= options.confidence ? "error"
+                                                                           : "samples";
+}
+
 nlohmann::ordered_json statistics_json(const Prepared& prepared, const RenderStatistics& done, const Times& times,
                                        const std::vector<std::string>& written) {
     return {
@@ -66,6 +74,14 @@ nlohmann::ordered_json statistics_json(const Prepared& prepared, const RenderSta
         {"rays",
          {{"camera", done.rays.camera}, {"secondary", done.rays.secondary}, {"shadow", done.rays.shadow}, {"total", done.rays.total()}}},
         {"rays_per_second", static_cast<double>(done.rays.total()) / std::max(times.render, 1e-9)},
+        {"ended_by", ended_by(prepared.options, done)},
+        {"error",
+         {{"reached", done.error.reached},
+          {"confidence", prepared.options.confidence},
+          {"share", done.error.share},
+          {"heavy_tailed", done.error.heavy},
+          {"floor", prepared.options.error_floor}}},
+        {"clamped", done.clamped},
         {"pixels_that_are_not_numbers", done.bad_pixels},
         {"bad_samples", bad_samples_json(done.bad_samples, *prepared.world)},
         {"seconds", {{"load", times.load}, {"prepare", times.prepare}, {"render", times.render}, {"write", times.write}}},
@@ -81,6 +97,36 @@ std::string statistics_as_json(const Prepared& prepared, const RenderStatistics&
     return statistics_json(prepared, done, times, written).dump(indent);
 }
 
+namespace {
+
+// What ended it, and how well the picture is known.
+std::string goals_in_words(const RenderOptions& options, const RenderStatistics& done) {
+    std::string words;
+    if (options.seconds > 0.0 || options.error > 0.0) {
+        const bool good = options.error > 0.0 && done.error.share >= options.confidence;
+        words += fmt::format("\nEnded by the {}.", done.out_of_time ? "time" : good ? "error" : "number of samples");
+    }
+    if (done.error.pixels > 0) {
+        const double percent = 100.0;
+        words += fmt::format("\nError: {:.3g}% or less for {:g}% of the pixels, at that confidence", done.error.reached * percent,
+                             options.confidence * percent);
+        if (options.error > 0.0) {
+            words += fmt::format("; {:.1f}% of them are known within {:g}%", done.error.share * percent, options.error * percent);
+        }
+        if (done.error.heavy > 0.0) {
+            words += fmt::format("; {:.2g}% have a heavy tail and are not trusted", done.error.heavy * percent);
+        }
+        words += fmt::format(". {:.0f} samples a pixel in {}.", done.error.samples / static_cast<double>(done.error.pixels),
+                             app::in_words(done.seconds));
+    }
+    if (done.clamped > 0.0) {
+        words += fmt::format("\nClamping removed {:.2g}% of the light.", done.clamped * 100.0);
+    }
+    return words;
+}
+
+}  // namespace
+
 std::string summary(const Prepared& prepared, const RenderStatistics& done, const Times& times, const std::vector<std::string>& written) {
     const std::string work = fmt::format("{}x{} in {} ({}, {} a second, {} {}; {})", prepared.options.width, prepared.options.height,
                                          in_words(times.render), with_prefix(static_cast<double>(done.samples), "samples"),
@@ -89,7 +135,7 @@ std::string summary(const Prepared& prepared, const RenderStatistics& done, cons
     const std::string files = written.empty() ? "Nothing" : fmt::format("{}", fmt::join(written, ", "));
     const std::uint64_t bad = done.bad_samples.count();
     const std::string without = bad == 0 ? "" : fmt::format("; without {} bad {}", bad, bad == 1 ? "sample" : "samples");
-    return done.finished ? fmt::format("{} written: {}{}", files, work, without)
+    return done.finished ? fmt::format("{} written: {}{}{}", files, work, without, goals_in_words(prepared.options, done))
                          : fmt::format("Stopped; {} written as far as it came: {}", files, work);
 }
 

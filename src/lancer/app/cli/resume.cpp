@@ -25,6 +25,8 @@ namespace {
 struct Arguments {
     std::optional<std::string> picture;
     std::optional<int> spp;
+    std::optional<double> error;
+    std::optional<double> seconds;
     std::optional<int> threads;
     std::optional<std::string> progress;
     std::optional<std::string> stats;
@@ -40,6 +42,8 @@ std::vector<std::string> words_of(const Arguments& arguments) {
         }
     };
     add("--spp", arguments.spp);
+    add("--error", arguments.error);
+    add("--time", arguments.seconds);
     add("--threads", arguments.threads);
     add("--progress", arguments.progress);
     add("--stats", arguments.stats);
@@ -105,6 +109,9 @@ void add_resume(CLI::App& program, Work& work) {
     const auto arguments = std::make_shared<Arguments>();
     add_positional(*app, "PICTURE", arguments->picture, "The picture or film, as it was named after -o");
     add_whole(*app, "--spp", arguments->spp, 1, 1 << 20, "So many samples a pixel in all");
+    add_percentage(*app, "--error", arguments->error,
+                   "Until the picture is known so well; for pictures that were begun with --error or with intervals");
+    add_duration(*app, "--time", arguments->seconds, "So long from now on");
     add_threads_option(*app, arguments->threads);
     add_choice(*app, "--progress", arguments->progress, {"bar", "plain", "json"}, "How progress is told, on standard error");
     add_text(*app, "--stats", arguments->stats, "FILE", "Numbers about the render, as JSON");

@@ -93,6 +93,18 @@ CLI::Option* add_text(CLI::App& app, const std::string& names, std::optional<std
     });
 }
 
+CLI::Option* add_percentage(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& description) {
+    return add(app, names, "P%", description, [=, &value](const std::string& text) {
+        const bool percent = text.ends_with('%');
+        const std::optional<double> number = read_number<double>(text.substr(0, text.size() - (percent ? 1 : 0)));
+        const double share = number.value_or(0.0) / (percent ? 100.0 : 1.0);
+        if (!(share > 0.0) || !(share < 1.0)) {
+            refuse(names, "a share above 0 and below 100%, as 1%", text);
+        }
+        value = share;
+    });
+}
+
 CLI::Option* add_duration(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& description,
                           bool may_be_off) {
     return add(app, names, "TIME", description, [=, &value](const std::string& text) {

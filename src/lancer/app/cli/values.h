@@ -30,6 +30,8 @@ CLI::Option* add_choice(CLI::App& app, const std::string& names, std::optional<s
 CLI::Option* add_positional(CLI::App& app, const std::string& name, std::optional<std::string>& value, const std::string& description);
 CLI::Option* add_text(CLI::App& app, const std::string& names, std::optional<std::string>& value, const std::string& type,
                       const std::string& description);
+// A share: "1%", "0.5%", "0.01".
+CLI::Option* add_percentage(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& description);
 // Seconds: "30s", "2m", "1.5h", "500ms", "30". 0 stands for "off" where that may be said.
 CLI::Option* add_duration(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& description,
                           bool may_be_off = false);

@@ -48,7 +48,7 @@ public:
         show(0.0);
     }
     void tile_done(const Film&, const Tile&, const RenderProgress& progress) override {
-        show(static_cast<double>(progress.pixels_done) / static_cast<double>(progress.pixels_total));
+        show(progress.share);
     }
     void clear() { printer_.clear(); }
     double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }

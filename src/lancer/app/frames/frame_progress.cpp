@@ -9,15 +9,15 @@ RenderProgress over_all(const RenderProgress& progress, const FramePart& part) {
         return progress;
     }
     RenderProgress result = progress;
+    result.share = (part.before + progress.share) / part.all;
     result.pixels_done += part.before * progress.pixels_total;
     result.pixels_total *= part.all;
     result.seconds += part.seconds;
     // Whoever divides the samples by the seconds finds the rate unchanged.
     result.samples_done =
         static_cast<std::uint64_t>(static_cast<double>(progress.samples_done) * result.seconds / std::max(progress.seconds, 1e-9));
-    const double frame = static_cast<double>(progress.pixels_done) / static_cast<double>(std::max<std::int64_t>(progress.pixels_total, 1));
-    const double rendered = part.before - part.skipped + frame;
-    result.seconds_left = rendered > 0.0 ? result.seconds / rendered * (part.all - part.before - frame) : 0.0;
+    const double rendered = part.before - part.skipped + progress.share;
+    result.seconds_left = rendered > 0.0 ? result.seconds / rendered * (part.all - part.before - progress.share) : 0.0;
     return result;
 }
 

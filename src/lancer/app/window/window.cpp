@@ -153,9 +153,7 @@ private:
             state = in_words(done.seconds);
         } else {
             const RenderProgress progress = canvas_.progress();
-            const double share =
-                static_cast<double>(progress.pixels_done) / static_cast<double>(std::max<std::int64_t>(1, progress.pixels_total));
-            state = fmt::format("{:.0f} %", std::floor(100.0 * share));
+            state = fmt::format("{:.0f} %", std::floor(100.0 * progress.share));
             if (progress.seconds > 1.0) {
                 state += fmt::format(", {:.0f} s left", std::ceil(progress.seconds_left));
             }

@@ -1,0 +1,47 @@
+// When a picture is good enough, and where samples are missing: decided tile by tile, from the tile's own sums.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lancer/film/film_state.h"
+#include "lancer/film/interval.h"
+
+namespace lancer {
+
+// Before each replicate has so many samples nothing is decided.
+constexpr int first_decision = 4;
+
+// Cells of pixels (film/interval.h) get samples together: large enough that luck averages out, small enough to follow what is hard.
+//
+// In each tile, the share `confidence` of the pixels is to be known within `error` of its luminance, at that confidence. Dark pixels count as if they
+// had luminance `floor`.
+struct ErrorGoal {
+    double error = 0.0;  // relative; 0: none
+    double confidence = 0.95;
+    double floor = 0.0;
+};
+
+struct TileNeeds {
+    bool reached = false;
+    std::vector<std::size_t> cells;  // that need more samples, row by row; only where the goal is not reached
+    double samples_left = 0.0;       // that the tile will take until its end, as far as can be told
+};
+
+// `limit`: samples a pixel that are not exceeded.
+TileNeeds needs_of(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit);
+
+// Samples a replicate after so many: 1, 2, 4, 6, 8, 12, 16, 24, ...
+int next_level(int level);
+
+// What can be said of a whole film.
+struct ErrorReport {
+    std::uint64_t pixels = 0;  // that have samples
+    double samples = 0.0;      // of all of them
+    double share = 0.0;        // of them, known within the goal's error
+    double heavy = 0.0;        // share of them with a heavy tail, which count as not known
+    double reached = 0.0;      // the relative half width that the share `confidence` of all stays below
+};
+ErrorReport report_errors(const ErrorGoal& goal, const FilmState& state);
+
+}  // namespace lancer
