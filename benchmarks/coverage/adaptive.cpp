@@ -57,7 +57,7 @@ public:
         options.threads = 1;
         options.spp = spp;
         options.error = error;
-        options.replicates = error > 0.0 ? error_replicates : 0;
+        options.intervals = error > 0.0;
         const double start = processor_seconds();
         if (floor_ == 0.0) {
             floor_ = find_error_floor(*device, options);

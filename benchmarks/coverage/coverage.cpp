@@ -116,7 +116,7 @@ struct Picture {
         options.height = setting.height;
         options.threads = setting.threads;
         options.spp = spp;
-        options.replicates = error_replicates;
+        options.intervals = true;
         options.error = error;
         options.confidence = setting.confidence;
         options.error_floor = floor = find_error_floor(*device, options);
@@ -125,7 +125,7 @@ struct Picture {
     }
     static FilmLayers layers() {
         FilmLayers layers;
-        layers.replicates = error_replicates;
+        layers.runs = true;
         return layers;
     }
     Film film;

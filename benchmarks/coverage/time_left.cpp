@@ -61,7 +61,7 @@ void measure(const std::string& path, int width, double error, int spp) {
     options.shuffle = 1;
     options.spp = spp;
     options.error = error;
-    options.replicates = error > 0.0 ? error_replicates : 0;
+    options.intervals = error > 0.0;
     options.error_floor = error > 0.0 ? find_error_floor(*device, options) : 0.0;
     Film film(options.width, options.height);
     Watch watch;

@@ -82,8 +82,8 @@ protected:
         options_.spp = GetParam().spp;
         options_.adaptive = GetParam().adaptive;
         options_.threads = 2;
-        if (GetParam().layers.replicates > 0) {
-            options_.replicates = GetParam().layers.replicates;
+        if (GetParam().layers.runs) {
+            options_.intervals = true;
             options_.error = 0.3;
             options_.error_floor = find_error_floor(*device_, options_);
         }
@@ -134,7 +134,7 @@ TEST_P(Shared, AnySplitMergedIsTheWhole) {
 
 TEST_P(Shared, StoppedAndResumedIsTheWhole) {
     const std::string whole = uninterrupted();
-    const int more = GetParam().layers.replicates > 0 ? 17 : 3;  // tiles each time: not too many times
+    const int more = GetParam().layers.runs ? 17 : 3;  // tiles each time: not too many times
     Whole film = fresh();
     bool finished = false;
     int stops = 0;
@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Kind{"Whitted", "report/figure-1.toml", false, 0, {}}, Kind{"WhittedAdaptive", "report/figure-1.toml", true, 0, {}},
                     Kind{"Paths", "gallery/cornell-box.toml", false, 19, {}},
                     Kind{"PathsWithEverything", "gallery/cornell-box.toml", false, 5, {true, true, true, true, 7}},
-                    Kind{"PathsWithAGoal", "gallery/cornell-box.toml", false, 192, {false, false, false, false, 0, 16, 5.0}}),
+                    Kind{"PathsWithAGoal", "gallery/cornell-box.toml", false, 192, {false, false, false, false, 0, true, 5.0}}),
     [](const auto& one) { return one.param.name; });
 
 TEST(Samples, MoreLaterAreTheSameAsMoreAtOnce) {

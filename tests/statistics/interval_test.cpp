@@ -32,7 +32,7 @@ public:
         for (int y = range.y0; y < range.y1; ++y) {
             for (int x = range.x0; x < range.x1; ++x) {
                 for (int i = 0; i < range.sample_count; ++i) {
-                    const std::uint64_t number = range.sample_number(static_cast<std::size_t>(i));
+                    const std::uint64_t number = static_cast<std::uint64_t>(range.first_sample + i);
                     const std::uint64_t pixel = static_cast<std::uint64_t>(y * side + x);
                     const double u = chance(seed_ << 48 | pixel << 32 | number);
                     samples.radiance[next++] = glm::vec3(static_cast<float>(truth(y) * relative(x, u)));
@@ -68,7 +68,7 @@ RenderOptions goal(double error, int spp = 1 << 14) {
     options.height = side;
     options.threads = 2;
     options.spp = spp;
-    options.replicates = error_replicates;
+    options.intervals = true;
     options.error = error;
     options.error_floor = floor_of_test;
     return options;
@@ -81,7 +81,7 @@ struct Rendered {
     }
     static FilmLayers layers() {
         FilmLayers layers;
-        layers.replicates = error_replicates;
+        layers.runs = true;
         return layers;
     }
     Film film;
@@ -143,7 +143,7 @@ TEST(ErrorGoal, IsReachedWhereItCanBeAndSamplesGoWhereTheErrorIs) {
     EXPECT_GT(samples[1], 2.13 * 2.13 / 3.0 / 0.0036);
     EXPECT_LT(samples[1], 2.0 * 2.13 * 2.13 / 3.0 / 0.0036);
     EXPECT_GT(samples[2], 10.0 * samples[1]);
-    // A tail without a variance is not trusted, whatever its replicates say.
+    // A tail without a variance is not trusted, whatever its runs say.
     EXPECT_EQ(heavy[0] + heavy[1] + heavy[2], 0);
     EXPECT_GT(heavy[3], side * side / 4 / 5);
     EXPECT_TRUE(rendered.statistics.finished);
@@ -156,7 +156,7 @@ TEST(ErrorGoal, HasTheSameBitsForThreadsOrderShardsAndResuming) {
     const auto same = [&](const Film& film, const FilmSums& sums) {
         for (std::size_t i = 0; i < film.samples.size(); ++i) {
             if (film.samples[i] != whole.film.samples[i] || film.radiance[i] != whole.film.radiance[i] ||
-                sums.replicates(i).sums != whole.sums.replicates(i).sums) {
+                sums.runs(i).sums != whole.sums.runs(i).sums) {
                 return false;
             }
         }

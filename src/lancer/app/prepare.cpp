@@ -110,7 +110,7 @@ void add_goals(const scene::Scene& scene, const RenderArguments& arguments, Pict
         return;
     }
     const bool has_intervals = std::find(contents.aovs.begin(), contents.aovs.end(), Aov::interval) != contents.aovs.end();
-    contents.replicates = arguments.error || has_intervals ? error_replicates : 0;
+    contents.runs = arguments.error.has_value() || has_intervals;
     contents.confidence = arguments.confidence.value_or(0.95);
     contents.clamp = arguments.clamp.value_or(0.0);
 }
@@ -291,7 +291,7 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
     prepared.options.height = scene.settings.height;
     prepared.options.threads = arguments.threads.value_or(hardware_threads());
     prepared.options.spp = scene::follows_paths(scene) ? samples_wanted(scene, arguments) : 0;
-    prepared.options.replicates = contents.replicates;
+    prepared.options.intervals = contents.runs;
     prepared.options.error = arguments.error.value_or(0.0);
     prepared.options.confidence = contents.confidence;
     prepared.options.seconds = arguments.seconds.value_or(0.0);
@@ -315,7 +315,7 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
     cpu.threads = prepared.options.threads;
     prepared.device = make_cpu_device(world, cpu);
     prepared.metadata = describe(scene, arguments, command);
-    if (prepared.options.replicates > 0) {
+    if (prepared.options.intervals) {
         prepared.options.error_floor = find_error_floor(*prepared.device, prepared.options);
         prepared.contents.floor = prepared.options.error_floor;
     }

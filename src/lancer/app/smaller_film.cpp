@@ -18,11 +18,7 @@ void SmallerFilm::trace_paths(const PathRange& range, const PathSamples& samples
     std::size_t next = 0;
     for (int y = range.y0; y < range.y1; ++y) {
         for (int x = range.x0; x < range.x1; ++x) {
-            PathRange one = range;
-            one.x0 = x * factor_;
-            one.y0 = y * factor_;
-            one.x1 = one.x0 + 1;
-            one.y1 = one.y0 + 1;
+            const PathRange one{x * factor_, y * factor_, x * factor_ + 1, y * factor_ + 1, range.first_sample, range.sample_count};
             device_.trace_paths(one, samples.part(next, one.paths()), counts);
             next += one.paths();
         }

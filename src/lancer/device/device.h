@@ -35,14 +35,6 @@ struct PathRange {
     int y1 = 0;
     int first_sample = 0;
     int sample_count = 0;
-    int replicates = 1;  // a power of two up to 256: samples are dealt to so many sets of points in turn, each with a scrambling of its own
-
-    // What the kernel calls the range's sample i: the set in the upper eight bits, its place in the set in the others.
-    std::uint32_t sample_number(std::size_t i) const {
-        const std::uint32_t sample = static_cast<std::uint32_t>(first_sample) + static_cast<std::uint32_t>(i);
-        const std::uint32_t sets = static_cast<std::uint32_t>(replicates);
-        return (sample & (sets - 1u)) << 24 | sample / sets;
-    }
 
     std::size_t paths() const {
         return static_cast<std::size_t>(x1 - x0) * static_cast<std::size_t>(y1 - y0) * static_cast<std::size_t>(sample_count);
@@ -86,7 +78,7 @@ public:
         trace_paths(range, {radiance, {}, {}, {}, nullptr}, counts);
     }
 
-    // Follows a sample again whose radiance was NaN, to see where that came from. `sample` is its PathRange::sample_number.
+    // Follows a sample again whose radiance was NaN, to see where that came from.
     virtual PathFault find_fault(int /*x*/, int /*y*/, int /*sample*/) const { return {}; }
 };
 

@@ -32,7 +32,7 @@ std::string encode_head(const FilmAbout& about, const FilmShape& shape) {
     ByteWriter head;
     for (const int number :
          {shape.width, shape.height, shape.tile_size, int{shape.sums}, int{shape.layers.variance}, int{shape.layers.direct},
-          int{shape.layers.surface}, int{shape.layers.ids}, shape.layers.spectral_bins, shape.layers.replicates}) {
+          int{shape.layers.surface}, int{shape.layers.ids}, shape.layers.spectral_bins, int{shape.layers.runs}}) {
         head.put(std::int32_t{number});
     }
     head.put(shape.layers.clamp);
@@ -70,7 +70,7 @@ bool decode_head(std::string_view bytes, FilmAbout& about, FilmShape& shape) {
     shape.layers.surface = number() != 0;
     shape.layers.ids = number() != 0;
     shape.layers.spectral_bins = number();
-    shape.layers.replicates = number();
+    shape.layers.runs = number() != 0;
     head.get(shape.layers.clamp);
     for (std::uint64_t i = 0, n = count(); i < n && head.good(); ++i) {
         const std::string key = head.get_text();
@@ -85,7 +85,7 @@ bool decode_head(std::string_view bytes, FilmAbout& about, FilmShape& shape) {
     const auto within = [](int value, int low, int high) { return value >= low && value <= high; };
     return head.good() && head.left() == 0 && within(shape.width, 1, largest_side) && within(shape.height, 1, largest_side) &&
            std::int64_t{shape.width} * shape.height <= most_pixels && within(shape.tile_size, 1, largest_side) &&
-           within(shape.layers.spectral_bins, 0, 4096) && (shape.layers.replicates == 0 || shape.layers.replicates == error_replicates);
+           within(shape.layers.spectral_bins, 0, 4096);
 }
 
 // A tile's number, its rounds, so many bytes, and the checksum of all these.

@@ -1,6 +1,7 @@
 #include "lancer/film/film_sums.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -58,18 +59,18 @@ FilmSums::FilmSums(int width, int height, const FilmLayers& layers) : width_(wid
         splats_ = std::make_unique<SplatSums>(width, height);
     }
     bins_.resize(pixels * static_cast<std::size_t>(layers.spectral_bins));
-    replicates_.resize(pixels * static_cast<std::size_t>(layers.replicates));
-    spreads_.resize(layers.replicates > 0 ? pixels : 0);
+    runs_.resize(layers.runs ? pixels * most_runs : 0);
+    spreads_.resize(layers.runs ? pixels : 0);
     removed_.resize(layers.clamp > 0.0 ? pixels : 0);
 }
 
-void FilmSums::add(std::size_t pixel, const PathSamples& samples, int first) {
+void FilmSums::add(std::size_t pixel, const PathSamples& samples) {
     assert(samples.direct.empty() == !layers_.direct && samples.first_hits.empty() == !layers_.first_hits());
     // Sample by sample onto what there is, so that it makes no difference how the samples were cut into ranges.
     glm::dvec3 sum = sums_[pixel];
     for (std::size_t i = 0; i < samples.radiance.size(); ++i) {
-        if (layers_.replicates > 0) {
-            ++spreads_[pixel].samples;
+        if (layers_.runs) {
+            begin_sample(pixel);
         }
         if (!is_number(samples.radiance[i])) {
             continue;
@@ -78,8 +79,8 @@ void FilmSums::add(std::size_t pixel, const PathSamples& samples, int first) {
         const double kept = layers_.clamp > 0.0 ? clamp(pixel, wide(samples.radiance[i])) : 1.0;
         const glm::dvec3 value = wide(samples.radiance[i]) * kept;
         sum += value;
-        if (layers_.replicates > 0) {
-            add_replicate(pixel, first + static_cast<int>(i), luminance(value));
+        if (layers_.runs) {
+            add_to_run(pixel, luminance(value));
         }
         if (layers_.variance) {
             squares_[pixel] += value * value;
@@ -133,7 +134,7 @@ void FilmSums::visit_planes(Sums& sums, const Visit& visit) {
     visit(sums.direct_, 1);
     visit(sums.surfaces_, 1);
     visit(sums.bins_, sums.layers_.spectral_bins);
-    visit(sums.replicates_, sums.layers_.replicates);
+    visit(sums.runs_, most_runs);
     visit(sums.spreads_, 1);
     visit(sums.removed_, 1);
 }
@@ -164,19 +165,41 @@ void FilmSums::load(std::size_t first, std::size_t count, ByteReader& bytes) {
     }
 }
 
-void FilmSums::add_replicate(std::size_t pixel, int sample, double luminance) {
-    replicates_[pixel * error_replicates + static_cast<std::size_t>(sample % error_replicates)] += static_cast<float>(luminance);
+int run_length(std::uint32_t samples) {
+    return static_cast<int>(std::max(std::bit_floor(samples) / std::uint32_t{least_runs}, std::uint32_t{1}));
+}
+
+// Counts a sample. When there are so many of them that runs become twice as long, two and two are joined first.
+void FilmSums::begin_sample(std::size_t pixel) {
+    std::uint32_t& samples = spreads_[pixel].samples;
+    float* const runs = &runs_[pixel * most_runs];
+    if (samples == static_cast<std::uint32_t>(most_runs * run_length(samples - std::min(samples, 1u)))) {
+        for (int i = 0; i < least_runs; ++i) {
+            runs[i] = runs[2 * i] + runs[2 * i + 1];
+        }
+        std::fill(runs + least_runs, runs + most_runs, 0.0f);
+    }
+    ++samples;
+}
+
+// What the sample that was counted last has brought.
+void FilmSums::add_to_run(std::size_t pixel, double luminance) {
     Spread& spread = spreads_[pixel];
+    // The run's length is that which it will have when the samples of this power of two are complete.
+    const std::uint32_t sample = spread.samples - 1;
+    runs_[pixel * most_runs + sample / static_cast<std::uint32_t>(run_length(sample))] += static_cast<float>(luminance);
     spread.squares += luminance * luminance;
     spread.largest = std::max(spread.largest, static_cast<float>(std::fabs(luminance)));
 }
 
-ReplicateSums FilmSums::replicates(std::size_t pixel) const {
-    ReplicateSums result;
-    std::copy_n(replicates_.begin() + static_cast<std::ptrdiff_t>(pixel * error_replicates), error_replicates, result.sums.begin());
-    result.largest = spreads_[pixel].largest;
-    result.squares = spreads_[pixel].squares;
-    result.samples = spreads_[pixel].samples;
+RunSums FilmSums::runs(std::size_t pixel) const {
+    RunSums result;
+    std::copy_n(runs_.begin() + static_cast<std::ptrdiff_t>(pixel * most_runs), most_runs, result.sums.begin());
+    const Spread& spread = spreads_[pixel];
+    result.length = run_length(spread.samples - std::min(spread.samples, 1u));
+    result.complete = static_cast<int>(spread.samples) / result.length;
+    result.largest = spread.largest;
+    result.squares = spread.squares;
     result.total = luminance(sums_[pixel]);
     result.count = counts_[pixel];
     return result;

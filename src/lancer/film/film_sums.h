@@ -18,8 +18,11 @@
 
 namespace lancer {
 
-// Sets of samples whose spread tells the error: see film/interval.h.
-constexpr int error_replicates = 16;
+// A pixel's samples are cut into runs whose spread tells the error (film/interval.h): all of one length, a power of two, so that there are from 16 on and
+// before 32 of them, once there are 16 samples.
+constexpr int least_runs = 16;
+constexpr int most_runs = 2 * least_runs;
+int run_length(std::uint32_t samples);
 
 // Which sums are kept beside those of the picture itself.
 struct FilmLayers {
@@ -28,7 +31,7 @@ struct FilmLayers {
     bool surface = false;  // what is seen first: albedo, normal, depth, position, uv
     bool ids = false;      // of objects and materials
     int spectral_bins = 0;
-    int replicates = 0;   // error_replicates where the error is to be known
+    bool runs = false;    // where the error is to be known
     double clamp = 0.0;   // samples brighter than this luminance are made as dark; 0: none
     bool splats = false;  // light that falls anywhere
 
@@ -45,12 +48,13 @@ struct SurfaceSums {
     std::uint32_t hits = 0;
 };
 
-// A pixel's luminance, by replicate.
-struct ReplicateSums {
-    std::array<float, error_replicates> sums{};
+// A pixel's luminance, by runs.
+struct RunSums {
+    std::array<float, most_runs> sums{};
+    int complete = 0;  // runs
+    int length = 1;
     float largest = 0.0f;  // of the samples, in size
     double squares = 0.0;  // of all samples
-    std::uint32_t samples = 0;
     double total = 0.0;  // of the picture's own sums
     std::uint32_t count = 0;
 
@@ -68,9 +72,8 @@ public:
     int height() const { return height_; }
     const FilmLayers& layers() const { return layers_; }
 
-    // Adds the samples (of one pixel) but those that are NaN; the first of them is the pixel's sample `first`. Different pixels may be added to by
-    // several threads.
-    void add(std::size_t pixel, const PathSamples& samples, int first = 0);
+    // Adds the samples (of one pixel) but those that are NaN. Different pixels may be added to by several threads.
+    void add(std::size_t pixel, const PathSamples& samples);
 
     std::uint32_t count(std::size_t pixel) const { return counts_[pixel]; }  // of the samples in the sums
     // Splats included; these may come from anywhere, so that a pixel is finished when all are. 0 where there is none.
@@ -86,8 +89,8 @@ public:
     const IdCounts& objects(std::size_t pixel) const { return objects_[pixel]; }
     const IdCounts& materials(std::size_t pixel) const { return materials_[pixel]; }
 
-    ReplicateSums replicates(std::size_t pixel) const;  // where the layers have them
-    double clamped(std::size_t pixel) const;            // luminance that clamping took from the pixel's mean
+    RunSums runs(std::size_t pixel) const;    // where the layers have them
+    double clamped(std::size_t pixel) const;  // luminance that clamping took from the pixel's mean
 
     // Mean spectral radiance over the bin, per nanometre. Bins split the visible, 360 to 830 nm, evenly.
     float spectral(std::size_t pixel, int bin) const;
@@ -100,7 +103,8 @@ private:
     template <class Sums, class Visit>
     static void visit_planes(Sums& sums, const Visit& visit);
     void add_bins(std::size_t pixel, const SpectralSample& sample, double share_kept);
-    void add_replicate(std::size_t pixel, int sample, double luminance);
+    void begin_sample(std::size_t pixel);
+    void add_to_run(std::size_t pixel, double luminance);
     double clamp(std::size_t pixel, const glm::dvec3& value);
 
     int width_;
@@ -120,7 +124,7 @@ private:
         float largest = 0.0f;
         std::uint32_t samples = 0;
     };
-    std::vector<float> replicates_;  // `replicates` for each pixel
+    std::vector<float> runs_;  // most_runs for each pixel
     std::vector<Spread> spreads_;
     std::vector<double> removed_;  // luminance, by clamping
 };

@@ -36,7 +36,7 @@ Tile cell_of(const Tile& block, std::size_t cell) {
     return {x, y, std::min(x + interval_cell, block.x1), std::min(y + interval_cell, block.y1)};
 }
 
-std::vector<double> means_around(const std::vector<double>& of_cells, std::size_t across) {
+std::vector<double> squares_around(const std::vector<double>& of_cells, std::size_t across) {
     const std::size_t down = of_cells.size() / across;
     std::vector<double> means;
     means.reserve(of_cells.size());
@@ -46,17 +46,20 @@ std::vector<double> means_around(const std::vector<double>& of_cells, std::size_
             int count = 0;
             for (std::size_t y = row - std::min<std::size_t>(row, 1); y <= std::min(row + 1, down - 1); ++y) {
                 for (std::size_t x = column - std::min<std::size_t>(column, 1); x <= std::min(column + 1, across - 1); ++x, ++count) {
-                    sum += of_cells[y * across + x];
+                    sum += std::sqrt(of_cells[y * across + x]);
                 }
             }
-            means.push_back(sum / count);
+            means.push_back(sum / count * (sum / count));
         }
     }
     return means;
 }
 
-IntervalRule::IntervalRule(double confidence, double floor)
-    : quantile_(student_quantile(confidence, error_replicates - 1)), floor_(floor) {}
+IntervalRule::IntervalRule(double confidence, double floor) : floor_(floor) {
+    for (int runs = least_runs; runs <= most_runs; ++runs) {
+        quantiles_[static_cast<std::size_t>(runs - least_runs)] = student_quantile(confidence, runs - 1);
+    }
+}
 
 double IntervalRule::relative(const Interval& interval) const { return interval.half_width / std::max(interval.middle, floor_); }
 
@@ -83,7 +86,7 @@ std::vector<Interval> IntervalRule::of(const FilmSums& sums, const Tile& block) 
         });
         squares[cell] /= count;
     }
-    const std::vector<double> around = means_around(squares, cells_across(block));
+    const std::vector<double> around = squares_around(squares, cells_across(block));
     for (std::size_t cell = 0; cell < squares.size(); ++cell) {
         each(cell, [&](std::size_t place, std::size_t) {
             Interval& interval = intervals[place];
@@ -94,28 +97,28 @@ std::vector<Interval> IntervalRule::of(const FilmSums& sums, const Tile& block) 
 }
 
 Interval IntervalRule::alone(const FilmSums& sums, std::size_t pixel) const {
-    const ReplicateSums replicates = sums.replicates(pixel);
+    const RunSums runs = sums.runs(pixel);
     Interval interval;
-    interval.middle = replicates.mean();
-    if (replicates.samples < error_replicates) {
+    interval.middle = runs.mean();
+    if (runs.complete < least_runs) {
         interval.half_width = std::numeric_limits<double>::infinity();
         return interval;
     }
-    const double each = static_cast<double>(replicates.samples) / error_replicates;
+    const double count = runs.complete;
     double middle = 0.0;
-    for (const float sum : replicates.sums) {
-        middle += static_cast<double>(sum);
+    for (int i = 0; i < runs.complete; ++i) {
+        middle += static_cast<double>(runs.sums[static_cast<std::size_t>(i)]);
     }
-    middle /= error_replicates;
+    middle /= count;
     double spread = 0.0;
-    for (const float sum : replicates.sums) {
-        const double off = static_cast<double>(sum) - middle;
+    for (int i = 0; i < runs.complete; ++i) {
+        const double off = static_cast<double>(runs.sums[static_cast<std::size_t>(i)]) - middle;
         spread += off * off;
     }
-    spread /= error_replicates - 1.0;
-    interval.half_width = quantile_ * std::sqrt(spread / error_replicates) / each;
-    const double largest = static_cast<double>(replicates.largest);
-    interval.tail = replicates.squares > 0.0 ? largest * largest / (heavy_share * replicates.squares) : 0.0;
+    spread /= count - 1.0;
+    interval.half_width = quantiles_[static_cast<std::size_t>(runs.complete - least_runs)] * std::sqrt(spread / count) / runs.length;
+    const double largest = static_cast<double>(runs.largest);
+    interval.tail = runs.squares > 0.0 ? largest * largest / (heavy_share * runs.squares) : 0.0;
     return interval;
 }
 

@@ -1,8 +1,10 @@
 // How sure a pixel is: the interval around its luminance that holds the truth with a stated chance.
 //
-// A pixel's samples are dealt in turn to 16 replicates: sets of evenly spread points, each with its own random scrambling. Within a replicate points
-// depend on one another, which is why they do better than chance; the replicates' means are independent and of one distribution, so their
-// spread tells the error of their mean without bias, and Student's t with 15 degrees of freedom tells the interval [L'Ecuyer et al. 2023; Student 1908].
+// A pixel's samples are evenly spread points, one long sequence with a random scrambling. They are cut into 16 runs, or up to 31, of the same length, a
+// power of two. Each run is evenly spread by itself, and its mean is right on average and of one distribution with the others'. Were the runs
+// independent, their spread would tell the error of their mean without bias, and Student's t the interval [L'Ecuyer et al. 2023; Student 1908]. They
+// are a little better than that: each fills gaps of the others [Owen 1997], so that the interval is rather too wide than too narrow, and the picture
+// loses nothing of its evenness for the sake of the interval.
 //
 // That is true of samples whose spread shows. Where light is rare and bright (a caustic that one path in a thousand finds) most pixels have not met it
 // yet: they are too dark, agree with themselves, and would be sure of it. Their neighbours know better. So no pixel is surer than the pixels around it
@@ -12,6 +14,7 @@
 // pixel where one sample makes half of the sum is one whose spread can't be trusted yet [Embrechts et al. 1997, 6.2.6].
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -37,15 +40,16 @@ constexpr int interval_block = 32;
 std::size_t cells_across(const Tile& block);
 std::size_t cells_in(const Tile& block);
 Tile cell_of(const Tile& block, std::size_t cell);
-// Of each cell the mean of its value and those of its up to eight neighbours.
-std::vector<double> means_around(const std::vector<double>& of_cells, std::size_t across);
+// Squares of errors, of each cell and its up to eight neighbours: the square of the mean of their roots, so that one hard cell, at the edge of something,
+// says little of those beside it.
+std::vector<double> squares_around(const std::vector<double>& of_cells, std::size_t across);
 
 class IntervalRule {
 public:
     // A chance, between 0 and 1. Errors are compared in relation to luminance; what is darker than `floor` (above 0) counts as having that.
     IntervalRule(double confidence, double floor);
 
-    // By the pixel's own samples. The sums have replicates. Infinitely wide before each of these has a sample.
+    // By the pixel's own samples. The sums have runs. Infinitely wide before there are 16 samples.
     Interval alone(const FilmSums& sums, std::size_t pixel) const;
 
     // Of all pixels of a block, row by row. Those of the block have as many samples each as their cell's first.
@@ -55,7 +59,7 @@ public:
     double relative(const Interval& interval) const;
 
 private:
-    double quantile_;  // of Student's t
+    std::array<double, most_runs - least_runs + 1> quantiles_{};  // of Student's t, for so many runs
     double floor_;
 };
 

@@ -168,7 +168,7 @@ FilmLayers layers_for(const PictureContents& contents) {
     layers.surface = has({Aov::albedo, Aov::normal, Aov::depth, Aov::position, Aov::uv});
     layers.ids = has({Aov::object_id, Aov::material_id});
     layers.spectral_bins = contents.spectral_bins;
-    layers.replicates = contents.replicates;
+    layers.runs = contents.runs;
     layers.clamp = contents.clamp;
     return layers;
 }

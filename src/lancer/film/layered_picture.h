@@ -15,7 +15,7 @@ struct PictureContents {
     std::vector<Aov> aovs;
     int spectral_bins = 0;
     bool wide = false;         // 32-bit floats for what would be halves
-    int replicates = 0;        // of samples: error_replicates where the error is to be known
+    bool runs = false;         // of samples are kept, where the error is to be known
     double confidence = 0.95;  // of intervals
     double floor = 0.0;        // and what they count darker pixels as (film/interval.h)
     double clamp = 0.0;        // see FilmLayers

@@ -16,24 +16,22 @@ BadSamples::BadSamples(const Device& device, const FilmState& state) {
             const std::uint32_t bad = film.samples[pixel] - state.sums()->count(pixel);
             count_ += bad;
             if (bad > 0 && first_.size() < kept) {
-                look_for(device, state.sums()->layers(), x, y, static_cast<int>(film.samples[pixel]));
+                look_for(device, x, y, static_cast<int>(film.samples[pixel]));
             }
         }
     }
 }
 
-void BadSamples::look_for(const Device& device, const FilmLayers& layers, int x, int y, int samples) {
+void BadSamples::look_for(const Device& device, int x, int y, int samples) {
     constexpr int at_once = 1024;
-    const int replicates = std::max(layers.replicates, 1);
     for (int first = 0; first < samples && first_.size() < kept; first += at_once) {
         std::vector<glm::vec3> radiance(static_cast<std::size_t>(std::min(at_once, samples - first)));
         RayCounts ignored;
-        const PathRange range{x, y, x + 1, y + 1, first, static_cast<int>(radiance.size()), replicates};
-        device.follow_paths(range, radiance, ignored);
+        device.follow_paths({x, y, x + 1, y + 1, first, static_cast<int>(radiance.size())}, radiance, ignored);
         for (std::size_t i = 0; i < radiance.size() && first_.size() < kept; ++i) {
             if (std::isnan(radiance[i].x)) {
                 const int sample = first + static_cast<int>(i);
-                first_.push_back({x, y, sample, device.find_fault(x, y, static_cast<int>(range.sample_number(i)))});
+                first_.push_back({x, y, sample, device.find_fault(x, y, sample)});
             }
         }
     }

@@ -30,7 +30,7 @@ public:
     const std::vector<BadSample>& first() const { return first_; }
 
 private:
-    void look_for(const Device& device, const FilmLayers& layers, int x, int y, int samples);
+    void look_for(const Device& device, int x, int y, int samples);
 
     std::uint64_t count_ = 0;
     std::vector<BadSample> first_;

@@ -43,7 +43,7 @@ private:
     struct Cell {
         std::vector<double> squares;  // of each pixel's error over the goal's
         std::vector<double> tails;    // of each pixel; 1 and less is trusted
-        int level = 0;                // samples of each replicate
+        int level = 0;                // of samples
         double need = 0.0;            // mean of the squares, or what it is around, whichever is more
         bool failing = false;
     };
@@ -58,14 +58,14 @@ private:
 };
 
 TileErrors::TileErrors(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit)
-    : confidence_(goal.confidence), last_level_(limit / error_replicates) {
+    : confidence_(goal.confidence), last_level_(limit / samples_of_level) {
     const Tile& place = state.tiles()[tile];
     const Film& film = state.film();
     across_ = cells_across(place);
     cells_.resize(cells_in(place));
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         const Tile part = cell_of(place, i);
-        cells_[i].level = static_cast<int>(film.samples[film.index(part.x0, part.y0)]) / error_replicates;
+        cells_[i].level = static_cast<int>(film.samples[film.index(part.x0, part.y0)]) / samples_of_level;
         for (int y = part.y0; y < part.y1; ++y) {
             for (int x = part.x0; x < part.x1; ++x) {
                 const Interval interval = rule.alone(*state.sums(), film.index(x, y));
@@ -84,7 +84,7 @@ void TileErrors::judge() {
     for (const Cell& cell : cells_) {
         means.push_back(std::accumulate(cell.squares.begin(), cell.squares.end(), 0.0) / static_cast<double>(cell.squares.size()));
     }
-    const std::vector<double> around = means_around(means, across_);
+    const std::vector<double> around = squares_around(means, across_);
     known_ = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         Cell& cell = cells_[i];
@@ -129,7 +129,7 @@ double TileErrors::foresee(const std::vector<std::size_t>& cells) {
         for (double& tail : cell.tails) {
             tail *= less;
         }
-        samples += static_cast<double>(level - cell.level) * error_replicates * static_cast<double>(cell.squares.size());
+        samples += static_cast<double>(level - cell.level) * samples_of_level * static_cast<double>(cell.squares.size());
         cell.level = level;
     }
     judge();
@@ -151,7 +151,7 @@ TileNeeds needs_of(const ErrorGoal& goal, const IntervalRule& rule, const FilmSt
 
 ErrorReport report_errors(const ErrorGoal& goal, const FilmState& state) {
     ErrorReport report;
-    if (state.sums() == nullptr || state.sums()->layers().replicates == 0) {
+    if (state.sums() == nullptr || !state.sums()->layers().runs) {
         return report;
     }
     const IntervalRule rule(goal.confidence, goal.floor);

@@ -9,7 +9,9 @@
 
 namespace lancer {
 
-// Before each replicate has so many samples nothing is decided.
+// Samples a pixel grow by levels: level 1 has this many, the others as many times that.
+constexpr int samples_of_level = 16;
+// Before this level nothing is decided.
 constexpr int first_decision = 4;
 
 // Cells of pixels (film/interval.h) get samples together: large enough that luck averages out, small enough to follow what is hard.
@@ -31,7 +33,7 @@ struct TileNeeds {
 // `limit`: samples a pixel that are not exceeded.
 TileNeeds needs_of(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit);
 
-// Samples a replicate after so many: 1, 2, 4, 6, 8, 12, 16, 24, ...
+// The levels are 1, 2, 4, 6, 8, 12, 16, 24, ...
 int next_level(int level);
 
 // What can be said of a whole film.

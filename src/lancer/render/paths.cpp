@@ -40,7 +40,7 @@ void PathTracer::put(FilmState& state, int left, int top) {
     for (int y = range_.y0; y < range_.y1; ++y) {
         for (int x = range_.x0; x < range_.x1; ++x) {
             const std::size_t pixel = film.index(x - left, y - top);
-            sums.add(pixel, samples.part(next, count), range_.first_sample);
+            sums.add(pixel, samples.part(next, count));
             next += count;
             film.radiance[pixel] = sums.mean(pixel);
             film.samples[pixel] = static_cast<std::uint32_t>(range_.first_sample + range_.sample_count);

@@ -16,7 +16,7 @@
 #include "lancer/film/display.h"
 #include "lancer/render/adaptive.h"
 #include "lancer/render/paths.h"
-#include "lancer/render/replicated_paths.h"
+#include "lancer/render/goal_paths.h"
 #include "lancer/render/threads.h"
 #include "lancer/render/time_left.h"
 #include "lancer/render/uniform.h"
@@ -27,9 +27,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Whole samples for each replicate.
-int replicated_limit(const RenderOptions& options) {
-    return std::max(error_replicates, (options.spp + error_replicates - 1) / error_replicates * error_replicates);
+// Samples of a pixel that are not exceeded: whole levels where there is a goal. 0 where paths are not what is followed.
+int samples_limit(const RenderOptions& options) {
+    return options.error > 0.0 ? std::max(1, (options.spp + samples_of_level - 1) / samples_of_level) * samples_of_level : options.spp;
 }
 
 // One render: the tiles that are left, and what the threads have found so far.
@@ -43,7 +43,7 @@ public:
         left_ = own_tiles();
         for (const std::size_t tile : left_) {
             const Tile& place = state.tiles()[tile];
-            progress_.pixels_total += area(place) * std::max(samples_limit(), 1);
+            progress_.pixels_total += area(place) * std::max(samples_limit(options_), 1);
             progress_.pixels_done += done_before(tile);
         }
         begin_to_foresee();
@@ -137,7 +137,7 @@ private:
         for (int y = place.y0; y < place.y1; ++y) {
             for (int x = place.x0; x < place.x1; ++x) {
                 samples +=
-                    std::min(static_cast<std::int64_t>(state_.film().samples[state_.film().index(x, y)]), std::int64_t{samples_limit()});
+                    std::min(static_cast<std::int64_t>(state_.film().samples[state_.film().index(x, y)]), std::int64_t{samples_limit(options_)});
             }
         }
         return samples;
@@ -174,8 +174,8 @@ private:
     }
 
     std::unique_ptr<TileSampler> make_sampler() {
-        if (options_.replicates > 0) {
-            return std::make_unique<ReplicatedPathSampler>(device_, state_, goal(), replicated_limit(options_));
+        if (options_.error > 0.0) {
+            return std::make_unique<GoalPathSampler>(device_, state_, goal(), samples_limit(options_));
         }
         if (options_.spp > 0) {
             return std::make_unique<PathSampler>(device_, state_, options_.spp);
@@ -218,13 +218,10 @@ private:
         }
         time_left_ = TimeLeft(sizes);
         for (std::size_t i = 0; options_.error == 0.0 && i < left_.size(); ++i) {
-            const std::int64_t all = area(state_.tiles()[left_[i]]) * std::max(samples_limit(), 1);
+            const std::int64_t all = area(state_.tiles()[left_[i]]) * std::max(samples_limit(options_), 1);
             time_left_.expect(left_[i], static_cast<double>(all - done_before(left_[i])));
         }
     }
-
-    // Samples of a pixel that are not exceeded; 0 where paths are not what is followed.
-    int samples_limit() const { return options_.replicates > 0 ? replicated_limit(options_) : options_.spp; }
 
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
@@ -295,14 +292,9 @@ double find_error_floor(const Device& device, const RenderOptions& options) {
 
 bool is_finished(const RenderOptions& options, const FilmState& state, std::size_t tile) {
     const Tile& place = state.tiles()[tile];
-    if (options.replicates > 0) {
-        const int limit = replicated_limit(options);
-        if (options.error > 0.0) {
-            const TileNeeds needs =
-                needs_of({options.error, options.confidence, options.error_floor}, IntervalRule(options.confidence, options.error_floor), state, tile, limit);
-            return needs.cells.empty();
-        }
-        return state.film().samples[state.film().index(place.x0, place.y0)] >= static_cast<std::uint32_t>(limit);
+    if (options.error > 0.0) {
+        const ErrorGoal goal{options.error, options.confidence, options.error_floor};
+        return needs_of(goal, IntervalRule(goal.confidence, goal.floor), state, tile, samples_limit(options)).cells.empty();
     }
     return options.spp == 0 ? state.rounds(tile) > 0
                             : state.film().samples[state.film().index(place.x0, place.y0)] >= static_cast<std::uint32_t>(options.spp);
@@ -316,9 +308,9 @@ RenderStatistics render(const Device& device, const RenderOptions& options, Film
     assert(options.threads >= 0 && options.threads <= max_threads);
     assert(options.shard >= 1 && options.shard <= options.shards && options.shards <= max_shards);
     assert((state.sums() != nullptr) == (options.spp > 0) && state.tile_size() == tile_size_for(options));
-    assert(options.error == 0.0 || options.replicates == error_replicates);
-    assert(options.replicates == 0 || options.error_floor > 0.0);
-    assert(options.spp == 0 || state.sums()->layers().replicates == options.replicates);
+    assert(options.error == 0.0 || options.intervals);
+    assert(!options.intervals || options.error_floor > 0.0);
+    assert(options.spp == 0 || state.sums()->layers().runs == options.intervals);
 
     Work work(device, options, state, observer, cancel);
     const int threads = options.threads > 0 ? options.threads : hardware_threads();
@@ -334,7 +326,7 @@ RenderStatistics render(const Device& device, const RenderOptions& options, Film
     if (options.spp > 0 && sums == nullptr) {
         FilmLayers layers;
         layers.splats = device.makes_splats();
-        layers.replicates = options.replicates;
+        layers.runs = options.intervals;
         sums = &own.emplace(options.width, options.height, layers);
     }
     FilmState state(film, options.spp > 0 ? sums : nullptr, tile_size_for(options));

@@ -28,7 +28,7 @@ struct RenderOptions {
     int adaptive_depth = 3;            // how often at most
     double exposure = 0.0;             // stops; the comparison is made after it
     std::uint32_t shuffle = 0;         // 0: tiles row by row; otherwise the seed of another order. The picture is the same
-    int replicates = 0;                // of the path integrator: error_replicates where the error is to be known
+    bool intervals = false;            // of the path integrator: the error is to be known
     double error = 0.0;                // relative; 0: no goal. Otherwise `spp` is what is not exceeded (render/error_goal.h)
     double confidence = 0.95;          // share of the pixels, and chance that the truth lies within a pixel's interval
     double error_floor = 0.0;          // luminance that darker pixels count as having
@@ -74,7 +74,7 @@ struct RenderStatistics {
     int threads = 0;
     bool finished = false;     // false when cancelled
     bool out_of_time = false;  // options.seconds were over first
-    ErrorReport error;         // where there are replicates
+    ErrorReport error;         // where it is known
     double clamped = 0.0;      // share of the picture's light that clamping took away
 
     // Samples of the path integrator that were left out of the picture.

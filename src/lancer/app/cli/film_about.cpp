@@ -87,7 +87,7 @@ RenderOptions options_of(const FilmAbout& about, const FilmShape& shape) {
     options.width = shape.width;
     options.height = shape.height;
     options.spp = whole_in(about.text("film:spp"));
-    options.replicates = shape.layers.replicates;
+    options.intervals = shape.layers.runs;
     options.error = number_in(about.text("film:error"));
     options.confidence = number_in(about.text("film:confidence"));
     options.error_floor = number_in(about.text("film:floor"));

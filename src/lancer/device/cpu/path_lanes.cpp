@@ -191,9 +191,6 @@ FN void put_first_hits(const kernel::WorldRecord& world, const PathState& path, 
     }
 }
 
-// Another scrambling of all the pixel's points for each set of samples; the first one's is the pixel's own.
-FN UInt key_of_set(UInt key, UInt set) { return key + set * UInt(0x9e3779b9u); }
-
 FN Mask first_lanes(std::size_t count) {
     alignas(64) float number[LANES];
     for (int lane = 0; lane < LANES; ++lane) {
@@ -267,7 +264,6 @@ void LANCER_TRACE(const kernel::WorldRecord& world, const PathRange& range, cons
             alignas(64) std::uint32_t columns[LANES];
             alignas(64) std::uint32_t rows[LANES];
             alignas(64) std::uint32_t number[LANES];
-            alignas(64) std::uint32_t set[LANES];
             alignas(64) std::uint32_t slot[LANES];
             for (std::size_t lane = 0; lane < LANES; ++lane) {
                 const std::size_t path = first + (lane < here ? lane : 0);
@@ -276,14 +272,10 @@ void LANCER_TRACE(const kernel::WorldRecord& world, const PathRange& range, cons
                 rows[lane] = static_cast<std::uint32_t>(range.y0) + static_cast<std::uint32_t>(pixel / width);
                 x[lane] = static_cast<float>(columns[lane]);
                 y[lane] = static_cast<float>(rows[lane]);
-                const std::uint32_t sample_number = range.sample_number(path % samples);
-                number[lane] = sample_number & 0x00ffffffu;
-                set[lane] = sample_number >> 24;
+                number[lane] = static_cast<std::uint32_t>(range.first_sample) + static_cast<std::uint32_t>(path % samples);
                 slot[lane] = static_cast<std::uint32_t>(path);
             }
-            const UInt key =
-                key_of_set(pixel_key(UInt::load_aligned(columns), UInt::load_aligned(rows), UInt(static_cast<std::uint32_t>(world.seed))),
-                           UInt::load_aligned(set));
+            const UInt key = pixel_key(UInt::load_aligned(columns), UInt::load_aligned(rows), UInt(static_cast<std::uint32_t>(world.seed)));
             PathState path =
                 start_path(world, Float::load_aligned(x), Float::load_aligned(y), key, UInt::load_aligned(number), first_lanes(here));
             going = follow_vertex(work, 0, path, UInt::load_aligned(slot), going, tally);
@@ -327,9 +319,8 @@ PathFault LANCER_FAULT(const kernel::WorldRecord& world, int x, int y, int sampl
     const kernel::WorldRecord record = watched(world);
     const UInt key =
         pixel_key(UInt(static_cast<std::uint32_t>(x)), UInt(static_cast<std::uint32_t>(y)), UInt(static_cast<std::uint32_t>(world.seed)));
-    const std::uint32_t number = static_cast<std::uint32_t>(sample);
-    PathState path = start_path(world, Float(static_cast<float>(x)), Float(static_cast<float>(y)), key_of_set(key, UInt(number >> 24)),
-                                UInt(number & 0x00ffffffu), first_lanes(1));
+    PathState path = start_path(world, Float(static_cast<float>(x)), Float(static_cast<float>(y)), UInt(key),
+                                UInt(static_cast<std::uint32_t>(sample)), first_lanes(1));
     Sight sight;
     PathFault fault;
     for (int depth = 0; some(path.alive) && fault.what == PathFault::What::none; ++depth) {

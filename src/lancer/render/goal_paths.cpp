@@ -1,4 +1,4 @@
-#include "lancer/render/replicated_paths.h"
+#include "lancer/render/goal_paths.h"
 
 #include <algorithm>
 
@@ -6,39 +6,38 @@ namespace lancer {
 
 static_assert(PathSampler::tile_size == interval_block);  // so that tiles are decided by what the picture says of itself
 
-ReplicatedPathSampler::ReplicatedPathSampler(const Device& device, const FilmState& state, const ErrorGoal& goal, int limit)
+GoalPathSampler::GoalPathSampler(const Device& device, const FilmState& state, const ErrorGoal& goal, int limit)
     : tracer_(device, state.sums()->layers()), goal_(goal), rule_(goal.confidence, goal.floor), layers_(state.sums()->layers()), limit_(limit) {}
 
-bool ReplicatedPathSampler::extend(const Tile& part, int to_level, const Tile& whole, FilmState& copy, RayCounts& counts,
+bool GoalPathSampler::extend(const Tile& part, int to_level, const Tile& whole, FilmState& copy, RayCounts& counts,
                                    const std::atomic<bool>* cancel) {
     // Not too many at once, for the memory's sake.
-    constexpr int at_once = 8 * error_replicates;
+    constexpr int at_once = 8 * samples_of_level;
     int samples = static_cast<int>(copy.film().samples[copy.film().index(part.x0 - whole.x0, part.y0 - whole.y0)]);
-    const int end = std::min(to_level * error_replicates, limit_);
+    const int end = std::min(to_level * samples_of_level, limit_);
     while (samples < end) {
         if (is_cancelled(cancel)) {
             return false;
         }
         const int count = std::min(at_once, end - samples);
-        tracer_.trace({part.x0, part.y0, part.x1, part.y1, samples, count, error_replicates}, counts);
+        tracer_.trace({part.x0, part.y0, part.x1, part.y1, samples, count}, counts);
         tracer_.put(copy, whole.x0, whole.y0);
         samples += count;
     }
     return true;
 }
 
-RoundOutcome ReplicatedPathSampler::render_round(FilmState& state, std::size_t tile, RayCounts& counts, const std::atomic<bool>* cancel) {
+RoundOutcome GoalPathSampler::render_round(FilmState& state, std::size_t tile, RayCounts& counts, const std::atomic<bool>* cancel) {
     const Tile& place = state.tiles()[tile];
     const Film& film = state.film();
-    const auto level_of = [&](const Tile& part) { return static_cast<int>(film.samples[film.index(part.x0, part.y0)]) / error_replicates; };
-    const bool has_goal = goal_.error > 0.0;
-    const bool whole = !has_goal || level_of(place) < first_decision;
+    const auto level_of = [&](const Tile& part) { return static_cast<int>(film.samples[film.index(part.x0, part.y0)]) / samples_of_level; };
+    const bool whole = level_of(place) < first_decision;
     TileNeeds needs;
     if (!whole) {
         needs = needs_of(goal_, rule_, state, tile, limit_);
     }
     samples_left_ = 0.0;
-    if (whole ? level_of(place) * error_replicates >= limit_ : needs.cells.empty()) {
+    if (whole ? level_of(place) * samples_of_level >= limit_ : needs.cells.empty()) {
         return RoundOutcome::finished;
     }
     Film copied(place.width(), place.height());
@@ -65,10 +64,6 @@ RoundOutcome ReplicatedPathSampler::render_round(FilmState& state, std::size_t t
         const auto lock = state.lock(tile);
         ByteReader back(after.bytes());
         state.load(tile, state.rounds(tile) + 1, back);
-    }
-    if (!has_goal) {
-        samples_left_ = static_cast<double>(limit_ - level_of(place) * error_replicates) * place.width() * place.height();
-        return samples_left_ > 0.0 ? RoundOutcome::unfinished : RoundOutcome::finished;
     }
     const TileNeeds left = needs_of(goal_, rule_, state, tile, limit_);
     samples_left_ = left.samples_left;

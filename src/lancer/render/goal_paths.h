@@ -1,4 +1,4 @@
-// Samples of the path integrator dealt to replicates, so that the film knows its error; as many for each pixel, or where the error is.
+// Samples of the path integrator where the error is, until a goal is reached.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,10 @@
 
 namespace lancer {
 
-class ReplicatedPathSampler : public TileSampler {
+class GoalPathSampler : public TileSampler {
 public:
-    // `state` has sums with replicates. `limit`: samples a pixel that are not exceeded, a multiple of error_replicates. A goal without error: all
-    // pixels get as many.
-    ReplicatedPathSampler(const Device& device, const FilmState& state, const ErrorGoal& goal, int limit);
+    // `state` has sums with runs. `limit`: samples a pixel that are not exceeded, a multiple of samples_of_level.
+    GoalPathSampler(const Device& device, const FilmState& state, const ErrorGoal& goal, int limit);
 
     RoundOutcome render_round(FilmState& state, std::size_t tile, RayCounts& counts, const std::atomic<bool>* cancel) override;
     double samples_left() const override { return samples_left_; }
