@@ -171,6 +171,81 @@ TEST(Cutouts, ShadowsAreAsThinAsTheSurface) {
     }
 }
 
+scene::Material pane(double tint = 1.0) {
+    scene::Material material;
+    scene::DielectricMaterial glass;
+    glass.thin = true;
+    glass.color = scene::Rgb(tint);
+    material.model = glass;
+    return material;
+}
+
+// Of an index of 1.5, straight on: 0.04 at each of its two borders, with all that goes to and fro.
+constexpr double mirrored_by_a_pane = 2.0 * 0.04 / 1.04;
+
+TEST(Panes, LightOfASunComesThrough) {
+    // A white floor under two panes, and a sun that no path could meet. The same with a medium somewhere, where other ways are taken.
+    for (const bool with_medium : {false, true}) {
+        Stage world;
+        world.add(scene::Plane{{0, 0, 0}, {0, 1, 0}}, world.material(diffuse(0.5)));
+        const int glass = world.material(pane(0.8));
+        world.add(scene::Disk{{0, 1, 0}, {0, 1, 0}, 30.0}, glass);
+        world.add(scene::Disk{{0, 2, 0}, {0, 1, 0}, 30.0}, glass);
+        world.add_light(scene::DirectionalLight{{0, -1, 0}}, 1.0);
+        world.scene.lights[0].power = scene::Color(scene::Rgb(3.0));
+        if (with_medium) {
+            scene::Medium fog;
+            fog.coefficients = scene::AbsorbingScattering{scene::Rgb(0.0), scene::Rgb(1.0)};
+            world.scene.media.push_back(fog);
+            scene::Material border;
+            border.model = scene::NullMaterial{};
+            border.interior = 0;
+            world.add(scene::Sphere{{50, 0, 0}, 1.0}, world.material(border));
+        }
+        world.look({0.0, 0.5, 0.5}, {0.0, -1.0, -1.0});
+        const Answer a = world.see(16);
+        const double through = 0.8 * (1.0 - mirrored_by_a_pane);
+        EXPECT_NEAR(a.mean.y, 3.0 * 0.5 / std::numbers::pi * through * through, 1e-5) << with_medium;
+    }
+}
+
+TEST(Panes, MirrorTheRest) {
+    // White surroundings above, nothing below, seen straight on from below and from above.
+    Stage world(3);
+    world.set_background(1.0, 0.5, 0.0);
+    world.add(scene::Disk{{0, 0, 0}, {0, 1, 0}, 30.0}, world.material(pane()));
+    world.look({0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}, {0, 0, 1});
+    const Answer up = world.see(4096);
+    EXPECT_NEAR(up.mean.y, 1.0 - mirrored_by_a_pane, 4.0 * up.error + 1e-6);
+    world.look({0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}, {0, 0, 1});
+    const Answer down = world.see(4096);
+    EXPECT_NEAR(down.mean.y, mirrored_by_a_pane, 4.0 * down.error + 1e-6);
+    EXPECT_LT(down.error, 0.002);
+}
+
+TEST(Panes, CloseInAMedium) {
+    // Through a ball of a pane that holds fog which only swallows light, from without and from within; and past its own light to lamps.
+    scene::Medium fog;
+    fog.coefficients = scene::AbsorbingScattering{scene::Rgb(0.4), scene::Rgb(1e-9)};
+    Stage world(2);
+    world.set_background(1.0, 1.0, 1.0);
+    world.scene.media.push_back(fog);
+    scene::Material glass = pane();
+    glass.interior = 0;
+    world.add(scene::Sphere{{0, 0, 0}, 1.0}, world.material(glass));
+    const double once = 1.0 - mirrored_by_a_pane;
+    const Answer outside = world.see(16384);
+    // What comes straight through, and what is mirrored at the first border and at the second one, and then goes out through the first.
+    const double depth = std::exp(-0.8);
+    const double seen = mirrored_by_a_pane + once * depth * (once + mirrored_by_a_pane * depth * once);
+    EXPECT_NEAR(outside.mean.y, seen, 4.0 * outside.error + mirrored_by_a_pane * mirrored_by_a_pane * depth * depth * depth);
+    EXPECT_LT(outside.error, 0.002);
+    world.look({0, 0, 0}, {0, 0, -1});
+    const Answer inside = world.see(16384);
+    const double half = std::exp(-0.4);
+    EXPECT_NEAR(inside.mean.y, once * half + mirrored_by_a_pane * half * depth * once, 4.0 * inside.error + 1e-3);
+}
+
 TEST(Cutouts, ACutoffIsAllOrNothing) {
     for (const double cutoff : {0.2, 0.6}) {
         Stage world;

@@ -1,7 +1,7 @@
 // Media of Mitsuba's and pbrt's scenes.
 #include <cstring>
 
-#include "reading.h"
+#include "rendered.h"
 
 namespace lancer {
 namespace {
@@ -98,6 +98,51 @@ Shape "sphere"
     EXPECT_EQ(std::get<scene::AbsorbingScattering>(haze.coefficients).scattering.rgb, scene::Rgb(1, 2, 3));
     EXPECT_EQ(haze.scale, 2.0);
     EXPECT_EQ(haze.asymmetry, 0.5);
+}
+
+// The middle of what is bright in a picture, in parts of its size from the upper left corner.
+glm::dvec2 bright_middle(const Film& film) {
+    glm::dvec2 middle(0.0);
+    double sum = 0.0;
+    for (int y = 0; y < film.height; ++y) {
+        for (int x = 0; x < film.width; ++x) {
+            const double light = static_cast<double>(film.radiance[static_cast<std::size_t>(y * film.width + x)].y);
+            middle += light * glm::dvec2((x + 0.5) / film.width, (y + 0.5) / film.height);
+            sum += light;
+        }
+    }
+    EXPECT_GT(sum, 0.0);
+    return middle / std::max(sum, 1e-9);
+}
+
+// A cell of a grid glows where a ball at its place does, whichever hand the file's space has.
+TEST(ForeignMedia, PbrtsGridsLieWhereItsShapesDo) {
+    const TemporaryFolder folder;
+    for (const std::string& camera :
+         {std::string("Scale -1 1 1\nTranslate 0 0 9\n"), std::string("Translate 0 0 9\n"), std::string("LookAt 3 4 -7  0 0 0  0 1 0\n")}) {
+        const std::string head = camera + R"(Camera "perspective" "float fov" 50
+Film "rgb" "integer xresolution" 48 "integer yresolution" 48
+Integrator "volpath" "integer maxdepth" 2
+WorldBegin
+)";
+        const std::string cell = "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 0 0 0 0 0 0 0 0 0 0 0 ";  // x 0, y 2, z 1 of three
+        const Reading grid = read_path(folder.write("grid.pbrt", head + R"(MakeNamedMedium "glow" "string type" "uniformgrid"
+  "integer nx" 3 "integer ny" 3 "integer nz" 3 "float density" [)" + cell +
+                                                                     R"(] "point3 p0" [-3 -3 -3] "point3 p1" [3 3 3]
+  "rgb sigma_a" [1 1 1] "rgb sigma_s" [0 0 0] "rgb Le" [1 1 1]
+MediumInterface "glow" ""
+Material "interface"
+Shape "sphere" "float radius" 6
+)"));
+        const Reading ball = read_path(folder.write("ball.pbrt", head + R"(Translate -2 2 0
+AreaLightSource "diffuse" "rgb L" [1 1 1]
+Shape "sphere" "float radius" 1
+)"));
+        ASSERT_TRUE(grid.scene && ball.scene) << grid.all() << ball.all();
+        const glm::dvec2 glows = bright_middle(film_of(*grid.scene, 48, 48, 16)), shines = bright_middle(film_of(*ball.scene, 48, 48, 16));
+        EXPECT_NEAR(glm::distance(glows, shines), 0.0, 0.03) << camera;
+        EXPECT_GT(glm::distance(shines, glm::dvec2(0.5)), 0.1) << "off the middle, so that a mirrored one would be seen";
+    }
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "lancer/image/image.h"
 #include "lancer/import/import.h"
-#include "reading.h"
+#include "rendered.h"
 
 namespace lancer {
 namespace {
@@ -272,6 +272,106 @@ TEST_F(Mitsuba, CheckersOfAnyShape) {
     const Image squares = read_image(*image.bytes, image.file, Encoding::linear);
     EXPECT_NEAR(double(squares.pixels.at(0)), 0.4, 1e-6);
     EXPECT_NEAR(double(squares.pixels.at(3)), 0.2, 1e-6);
+}
+
+// By its definition: the first colour where both coordinates lie in the same half of a unit.
+TEST_F(Mitsuba, CheckersLieWhereMitsubaHasThem) {
+    const scene::Scene scene =
+        good(R"(<sensor type="orthographic"><transform name="to_world"><lookat origin="0 0 5" target="0 0 0" up="0 1 0"/>
+            </transform><film type="hdrfilm"><rfilter type="box"/></film></sensor>
+        <shape type="rectangle"><emitter type="area"><texture name="radiance" type="checkerboard"><rgb name="color0" value="1"/>
+        <rgb name="color1" value="0.25"/><transform name="to_uv"><scale x="2" y="1"/><translate x="0.125" y="0.25"/></transform></texture>
+        </emitter></shape>)");
+    constexpr int size = 32;
+    const Film film = film_of(scene, size, size, 4);
+    ASSERT_EQ(film.width, size);
+    const auto half = [](double x) { return x - std::floor(x) > 0.5; };
+    int bright = 0;
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            const double u = (x + 0.5) / size, v = 1.0 - (y + 0.5) / size;  // v grows upwards on a rectangle
+            const double expected = half(2.0 * u + 0.125) == half(v + 0.25) ? 1.0 : 0.25;
+            EXPECT_NEAR(double(film.radiance[static_cast<std::size_t>(y * size + x)].y), expected, 1e-3) << x << " " << y;
+            bright += expected == 1.0 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(bright, 0);
+    EXPECT_LT(bright, size * size);
+}
+
+TEST_F(Mitsuba, ProjectorsAndSpotsThrowPictures) {
+    folder_.write("two.ppm", std::string("P6\n3 2\n255\n") + std::string(18, '\x7f'));
+    const std::string projector =
+        R"(<emitter type="projector"><texture type="bitmap" name="irradiance"><string name="filename" value="two.ppm"/>
+        </texture></emitter><emitter type="spot"><float name="cutoff_angle" value="30"/><float name="beam_width" value="10"/>
+        <texture type="bitmap" name="texture"><string name="filename" value="two.ppm"/></texture></emitter>)";
+    const scene::Scene scene = good(projector);
+    const auto& thrown = std::get<scene::ProjectorLight>(scene.lights.at(0).model);
+    // A lens of 50 mm before a film of 36 x 24 mm, along the diagonal of a picture of 3 x 2.
+    EXPECT_NEAR(thrown.fov, glm::degrees(2.0 * std::atan(18.0 / 50.0)), 1e-9);
+    EXPECT_EQ(thrown.fov_axis, scene::ProjectorFov::width);
+    EXPECT_EQ(thrown.image.value().wrap, scene::Wrap::repeat);
+    EXPECT_FALSE(scene.lights[0].power.value().spectrum) << "under daylight";
+    const auto& spot = std::get<scene::SpotLight>(scene.lights.at(1).model);
+    EXPECT_EQ(spot.fade, scene::SpotFade::even);
+    EXPECT_EQ(spot.falloff, 20.0);
+    EXPECT_EQ(spot.up, glm::dvec3(0, -1, 0)) << "its picture stands on its head";
+    const Import old = read(projector, {}, "2.1.0");
+    ASSERT_TRUE(old.scene) << old.all();
+    const auto& light = old.scene->lights.at(0).power.value().spectrum;
+    ASSERT_TRUE(light) << "under no illuminant";
+    EXPECT_TRUE(std::holds_alternative<scene::MeasuredSpectrum>(light->shape));
+    EXPECT_EQ(light->as_rgb.value(), scene::Rgb(1.0));
+}
+
+// A window of the film shows what the whole film shows there.
+TEST_F(Mitsuba, WindowsOfTheFilm) {
+    const auto text = [](const std::string& crop, const std::string& offset) {
+        return R"(<sensor type="perspective"><float name="fov" value="70"/>)" + offset +
+               R"(<transform name="to_world"><lookat origin="0 0 2" target="0.3 0.2 0" up="0 1 0"/></transform>
+                <film type="hdrfilm"><integer name="width" value="40"/><integer name="height" value="30"/>)" +
+               crop + R"(<rfilter type="box"/></film></sensor>
+            <shape type="rectangle"><transform name="to_world"><scale value="9"/></transform><emitter type="area">
+            <texture name="radiance" type="checkerboard"><transform name="to_uv"><scale value="7"/></transform></texture></emitter></shape>)";
+    };
+    const scene::Scene whole = good(text("", ""));
+    const scene::Scene part = good(text(R"(<integer name="crop_offset_x" value="21"/><integer name="crop_offset_y" value="4"/>
+        <integer name="crop_width" value="13"/><integer name="crop_height" value="9"/>)",
+                                        ""));
+    const scene::Scene moved = good(text("", R"(<float name="principal_point_offset_x" value="0.25"/>
+        <float name="principal_point_offset_y" value="0.1"/>)"));
+    EXPECT_EQ(part.settings.width, 13);
+    EXPECT_EQ(part.settings.height, 9);
+    const Film all = film_of(whole, 40, 30, 64), window = film_of(part, 13, 9, 64), shifted = film_of(moved, 40, 30, 64);
+    int same = 0, same_shifted = 0;
+    for (int y = 0; y < 9; ++y) {
+        for (int x = 0; x < 13; ++x) {
+            const float there = all.radiance[static_cast<std::size_t>((y + 4) * 40 + x + 21)].y;
+            same += std::abs(window.radiance[static_cast<std::size_t>(y * 13 + x)].y - there) < 0.02f ? 1 : 0;
+            // A quarter of 40 pixels to the left, a tenth of 30 upwards.
+            const float here = shifted.radiance[static_cast<std::size_t>((y + 4 - 3) * 40 + x + 21 - 10)].y;
+            same_shifted += std::abs(here - there) < 0.02f ? 1 : 0;
+        }
+    }
+    EXPECT_GT(same, 100) << "of 117, but for noise";
+    EXPECT_GT(same_shifted, 100);
+}
+
+TEST_F(Mitsuba, SkiesStandAsTheyAreTurned) {
+    const scene::Scene scene = good(R"(<emitter type="sunsky"><float name="latitude" value="0"/><float name="longitude" value="0"/>
+        <float name="timezone" value="0"/><integer name="year" value="2020"/><integer name="month" value="3"/><integer name="day" value="20"/>
+        <float name="hour" value="15"/><float name="turbidity" value="4"/></emitter>)");
+    ASSERT_TRUE(scene.background.sky);
+    const scene::ClearSky& sky = *scene.background.sky;
+    EXPECT_EQ(sky.up, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(sky.turbidity, 4.0);
+    // The afternoon of an equinox on the equator: half way down to the west, where x shrinks.
+    EXPECT_NEAR(glm::distance(sky.sun, glm::normalize(glm::dvec3(-1, 0, 1))), 0.0, 0.05);
+    const scene::Scene turned = good(R"(<emitter type="sky"><vector name="sun_direction" value="0 1 1"/>
+        <transform name="to_world"><rotate x="1" angle="-90"/></transform></emitter>)");
+    EXPECT_NEAR(glm::distance(turned.background.sky->up, glm::dvec3(0, 1, 0)), 0.0, 1e-12);
+    EXPECT_NEAR(glm::distance(turned.background.sky->sun, glm::normalize(glm::dvec3(0, 1, 1))), 0.0, 1e-12);
+    EXPECT_FALSE(turned.background.sky->has_sun);
 }
 
 TEST_F(Mitsuba, WidthsOfFacetsFromATexture) {

@@ -4,7 +4,7 @@
 
 #include "lancer/image/image.h"
 #include "lancer/spectrum/observer.h"
-#include "reading.h"
+#include "rendered.h"
 
 namespace lancer {
 namespace {
@@ -273,6 +273,109 @@ TEST(Pbrt, SkiesOfPicturesOfBothLayouts) {
     ASSERT_EQ(picture.width, 2 * picture.height);
     EXPECT_GT(picture.pixels.front(), 0.9f) << "the top row: turned up, +z is +y";
     EXPECT_EQ(picture.pixels.back(), 0.0f);
+}
+
+// ---- Lights with pictures, and parts of the film ----------------------------------------------------------------------------------
+
+// One bright pixel of a picture of 4 x 4.
+std::string bright_pixel(int column, int row) {
+    std::string bytes = "P6\n4 4\n255\n";
+    for (int i = 0; i < 16; ++i) {
+        bytes += std::string(3, i == row * 4 + column ? '\xff' : '\0');
+    }
+    return bytes;
+}
+
+// Light along x to the right and y up of who looks along z, as pbrt's camera does from the same place: the picture is seen as it is.
+TEST(PbrtLights, ProjectorsThrowTheirPictureUpright) {
+    const TemporaryFolder folder;
+    folder.write("picture.ppm", bright_pixel(3, 0));
+    for (const std::string& turn : {std::string(), std::string("Scale -1 1 1\n")}) {
+        const Reading r = read_path(folder.write("scene.pbrt", turn + R"(Camera "perspective" "float fov" 60
+Film "rgb" "integer xresolution" 8 "integer yresolution" 8
+PixelFilter "box"
+WorldBegin
+LightSource "projection" "float fov" 60 "string filename" "picture.ppm"
+Translate 0 0 4
+Shape "bilinearmesh" "point3 P" [-9 -9 0 9 -9 0 -9 9 0 9 9 0]
+)"));
+        ASSERT_TRUE(r.scene) << r.all();
+        const Film film = film_of(*r.scene, 8, 8, 16);
+        const auto light = [&](int x, int y) { return double(film.radiance[static_cast<std::size_t>(y * 8 + x)].y); };
+        // A scaled space moves the light with the camera, and turns over what both see.
+        EXPECT_GT(light(7, 0), 0.0) << turn;
+        EXPECT_LT(light(0, 0) + light(0, 7) + light(7, 7), 0.01 * light(7, 0)) << turn;
+    }
+}
+
+// The middle of the square lies along the light's y axis, its right along x, its lower edge along z, and its corners along -y.
+TEST(PbrtLights, GoniometricLightsLieWithTheirSquareAcrossY) {
+    const TemporaryFolder folder;
+    std::string bytes = "P6\n8 8\n255\n";
+    for (int i = 0; i < 64; ++i) {
+        const bool right = i % 8 == 7 && (i / 8 == 2 || i / 8 == 5);  // outside of the diamond of y > 0, on the right: towards x, and down
+        bytes += std::string(3, right ? '\xff' : '\0');
+    }
+    folder.write("picture.ppm", bytes);
+    const Reading r = read_path(folder.write("scene.pbrt", R"(LookAt 0 0 -9  0 0 0  0 1 0
+Camera "perspective" "float fov" 60
+Film "rgb" "integer xresolution" 24 "integer yresolution" 24
+WorldBegin
+LightSource "goniometric" "string filename" "picture.ppm"
+ReverseOrientation
+Shape "sphere" "float radius" 3
+)"));
+    ASSERT_TRUE(r.scene) << r.all();
+    const auto& light = std::get<scene::GoniometricLight>(r.scene->lights.at(0).model);
+    EXPECT_TRUE(light.image.bytes);
+    const Image picture = read_image(*light.image.bytes, light.image.file, Encoding::linear);
+    // Where the panorama is bright: below the horizon, and along x, which the space's other hand turns to -x.
+    glm::dvec3 towards(0.0);
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const double tilt = 3.14159265358979 * (y + 0.5) / picture.height,
+                         around = 3.14159265358979 * (2.0 * (x + 0.5) / picture.width - 1.0);
+            const glm::dvec3 way(std::sin(around) * std::sin(tilt), std::cos(tilt), -std::cos(around) * std::sin(tilt));
+            towards += way * std::sin(tilt) * double(picture.pixels[static_cast<std::size_t>(y * picture.width + x) * 3]);
+        }
+    }
+    towards = glm::normalize(towards);
+    EXPECT_LT(towards.x, -0.5);
+    EXPECT_LT(towards.y, -0.3);
+    EXPECT_NEAR(towards.z, 0.0, 0.1);
+}
+
+TEST(Pbrt, PartsOfTheFilmAndShiftedWindows) {
+    const auto seen = [](const std::string& camera, const std::string& film) {
+        const Reading r = read_pbrt_text("LookAt 0 0 3  0.4 0.2 0  0 1 0\nCamera \"perspective\" \"float fov\" 60 " + camera +
+                                         "\nFilm \"rgb\" \"integer xresolution\" 40 \"integer yresolution\" 30 " + film +
+                                         "\nPixelFilter \"box\"\nWorldBegin\n"
+                                         "AreaLightSource \"diffuse\" \"rgb L\" [1 1 1] \"bool twosided\" true\n"
+                                         "Shape \"trianglemesh\" \"point3 P\" [0 0 0 2 0.3 0 0.4 1.7 0] \"integer indices\" [0 1 2]\n");
+        EXPECT_TRUE(r.scene) << r.all();
+        return r.scene.value_or(scene::Scene{});
+    };
+    const scene::Scene whole = seen("", ""), part = seen("", "\"float cropwindow\" [0.3 0.8 0.2 0.7]");
+    EXPECT_EQ(part.settings.width, 20);
+    EXPECT_EQ(part.settings.height, 15);
+    // The same part, by the window of the screen: the shorter side runs from -1 to 1.
+    const scene::Scene moved = seen("\"float screenwindow\" [-0.53333333333 0.8 -0.4 0.6]", "");
+    const Film all = film_of(whole, 40, 30, 64), crop = film_of(part, 20, 15, 64), window = film_of(moved, 20, 15, 64);
+    int same = 0, same_window = 0, lit = 0;
+    for (int y = 0; y < 15; ++y) {
+        for (int x = 0; x < 20; ++x) {
+            const float there = all.radiance[static_cast<std::size_t>((y + 6) * 40 + x + 12)].y;
+            same += std::abs(crop.radiance[static_cast<std::size_t>(y * 20 + x)].y - there) < 0.05f ? 1 : 0;
+            same_window += std::abs(window.radiance[static_cast<std::size_t>(y * 20 + x)].y - there) < 0.05f ? 1 : 0;
+            lit += there > 0.5f ? 1 : 0;
+        }
+    }
+    EXPECT_GT(lit, 60);
+    EXPECT_LT(lit, 240);
+    EXPECT_GT(same, 285) << "of 300, but for noise at edges";
+    EXPECT_GT(same_window, 285);
+    const scene::Scene wide = seen("\"float frameaspectratio\" 2.6666666667", "");
+    EXPECT_NEAR(wide.cameras[0].pixel_aspect, 2.0, 1e-6) << "twice as wide a window as the film has pixels for";
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Surfaces that are not there everywhere: leaves cut out of squares, wire, gauze. What lets half of the light pass is met by half of the paths.
+// Surfaces that are not there everywhere: leaves cut out of squares, wire, gauze. What lets half of the light pass is met by half of the paths. And panes
+// of glass: what they reflect is met, by as many paths, and the rest goes straight on, as light to lamps does.
 #ifndef LANCER_KERNEL_CUTS_H
 #define LANCER_KERNEL_CUTS_H
 
@@ -12,16 +13,36 @@ const int MOST_LAYERS = 256;  // surfaces that one ray passes; the next one is t
 
 // What a ray meets, and how much of it is there.
 struct CutLayer {
-    Float opacity;
+    Float opacity;    // the chance to meet it
+    Spectrum passes;  // of light that goes on, where `tints`
+    Mask tints;
     Vec3 position;
     Vec3 error;
     Vec3 normal;
 };
 
+// The refractive index of a material at each wavelength.
+FN Spectrum index_of(IN(WorldRecord) world, int material, Vec4 nanometres, Mask mask) {
+    Spectrum index = vec4_all(refractive_index(world, Int(material), nanometres.x, mask));
+    if (world.spectral != 0 && AT(world.media, material).dispersive != 0) {
+        index.y = refractive_index(world, Int(material), nanometres.y, mask);
+        index.z = refractive_index(world, Int(material), nanometres.z, mask);
+        index.w = refractive_index(world, Int(material), nanometres.w, mask);
+    }
+    return index;
+}
+
+// What a pane of `material` reflects, before its tint.
+FN Spectrum pane_share(IN(WorldRecord) world, int material, IN(SurfacePoint) s, Vec3 direction, Vec4 nanometres, Mask mask) {
+    return pane_spectrum(abs(dot(s.shading, direction)), index_of(world, material, nanometres, mask));
+}
+
 // Textures are looked at in full detail, so that edges stay where they are and rays to lamps find the same as paths do.
-FN CutLayer meet_layer(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Mask met) {
+FN CutLayer meet_layer(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Vec4 nanometres, Mask met) {
     CutLayer layer;
     layer.opacity = Float(1.0f);
+    layer.passes = black();
+    layer.tints = without(met, met);
     layer.position = ray.origin;
     layer.error = vec3_all(Float(0.0f));
     layer.normal = ray.direction;
@@ -31,14 +52,26 @@ FN CutLayer meet_layer(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Mask met
         Mask mine = both(todo, is_equal(hit.object, Int(number)));
         ObjectRecord object = AT(world.objects, number);
         MaterialRecord material = AT(world.surfaces, object.material);
-        if ((material.flags & MATERIAL_CUT) != 0) {
+        // A pane that bounds a medium is crossed, see volume/passage.h.
+        bool is_pane = (material.flags & MATERIAL_PANE) != 0 && (material.flags & MATERIAL_BOUNDS) == 0;
+        if ((material.flags & MATERIAL_CUT) != 0 || is_pane) {
             SurfacePoint s = textured_surface(world, object, material.flags, ray, hit, Float(0.0f), mine);
-            Float opacity = share_value(world, material.opacity, material.opacity_input, s, mine);
+            Float opacity = Float(1.0f);
+            if ((material.flags & MATERIAL_CUT) != 0) {
+                opacity = share_value(world, material.opacity, material.opacity_input, s, mine);
+            }
             if (material.opacity_cutoff > 0.0f) {
                 opacity = select(opacity >= Float(material.opacity_cutoff), Float(1.0f), Float(0.0f));
             }
             if ((material.flags & MATERIAL_OPEN_BEHIND) != 0) {
                 opacity = select(dot(s.normal, ray.direction) > Float(0.0f), Float(0.0f), opacity);
+            }
+            if (is_pane) {
+                Spectrum share = pane_share(world, object.material, s, ray.direction, nanometres, mine);
+                Spectrum through = color_value(world, material.color, s, nanometres, mine) * (vec4_all(Float(1.0f)) - share);
+                layer.passes = select(mine, vec4_all(Float(1.0f) - opacity) + through * opacity, layer.passes);
+                layer.tints = either(layer.tints, mine);
+                opacity = opacity * mean(share);
             }
             layer.opacity = select(mine, opacity, layer.opacity);
             layer.position = select(mine, s.position, layer.position);
@@ -50,20 +83,26 @@ FN CutLayer meet_layer(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Mask met
     return layer;
 }
 
+// Of light that goes on.
+FN Spectrum passing_layer(IN(CutLayer) layer) { return select(layer.tints, layer.passes, vec4_all(Float(1.0f) - layer.opacity)); }
+
 // The first surface that is there; `ray` ends up starting from the last one that was not, `passed` metres from where it was. Layers are drawn
 // from numbers of their own, from `decision` on.
-FN Hit closest_there(IN(WorldRecord) world, IN(Sampler) numbers, int decision, Mask alive, INOUT(Ray) ray, INOUT(Float) passed) {
+FN Hit closest_there(IN(WorldRecord) world, IN(Sampler) numbers, int decision, Vec4 nanometres, Mask alive, INOUT(Ray) ray,
+                     INOUT(Float) passed, INOUT(Spectrum) throughput) {
     Hit hit = closest_hit(world, ray, alive);
     if (world.has_cuts != 0) {
         Mask todo = both(alive, is_above(hit.object, Int(-1)));
         for (int i = 0; i < MOST_LAYERS && some(todo); ++i) {
-            CutLayer layer = meet_layer(world, ray, hit, todo);
+            CutLayer layer = meet_layer(world, ray, hit, nanometres, todo);
             todo = both(todo, layer.opacity < Float(1.0f));
             if (some(todo)) {
                 Vec2 u = sample_pair(numbers, UInt(uint(decision + i)));
                 todo = both(todo, u.x >= layer.opacity);
             }
             if (some(todo)) {
+                Spectrum weight = layer.passes / max(Float(1.0f) - layer.opacity, Float(SMALLEST));
+                throughput = select(both(todo, layer.tints), throughput * weight, throughput);
                 ray.origin = select(todo, leave_surface(layer.position, layer.error, layer.normal, ray.direction), ray.origin);
                 passed = select(todo, passed + hit.t, passed);
                 Hit next = closest_hit(world, ray, todo);
@@ -80,19 +119,19 @@ FN Hit closest_there(IN(WorldRecord) world, IN(Sampler) numbers, int decision, M
 }
 
 // What share of light comes along each ray to its reach.
-FN Float passing_light(IN(WorldRecord) world, IN(Ray) shadow, Mask asking) {
+FN Spectrum passing_light(IN(WorldRecord) world, IN(Ray) shadow, Vec4 nanometres, Mask asking) {
     Mask hidden = occluded(world, shadow, asking);
-    Float share = select(hidden, Float(0.0f), Float(1.0f));
+    Spectrum share = select(hidden, black(), vec4_all(Float(1.0f)));
     if (world.has_cuts != 0 && some(hidden)) {
         Ray ray = shadow;
-        share = Float(1.0f);
+        share = vec4_all(Float(1.0f));
         Mask todo = hidden;
         for (int i = 0; i < MOST_LAYERS && some(todo); ++i) {
             Hit hit = closest_hit(world, ray, todo);
             todo = both(todo, is_above(hit.object, Int(-1)));
-            CutLayer layer = meet_layer(world, ray, hit, todo);
-            share = select(todo, share * (Float(1.0f) - layer.opacity), share);
-            todo = both(todo, share > Float(0.0f));
+            CutLayer layer = meet_layer(world, ray, hit, nanometres, todo);
+            share = select(todo, share * passing_layer(layer), share);
+            todo = without(todo, is_black(share));
             Vec3 next = leave_surface(layer.position, layer.error, layer.normal, ray.direction);
             Mask far = ray.reach >= Float(FAR);
             Float reach = select(far, Float(FAR), ray.reach - dot(next - ray.origin, ray.direction));
@@ -101,7 +140,7 @@ FN Float passing_light(IN(WorldRecord) world, IN(Ray) shadow, Mask asking) {
             todo = both(todo, ray.reach > Float(0.0f));
         }
         // More layers than are counted.
-        share = select(todo, Float(0.0f), share);
+        share = select(todo, black(), share);
     }
     return share;
 }

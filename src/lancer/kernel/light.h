@@ -2,6 +2,7 @@
 #ifndef LANCER_KERNEL_LIGHT_H
 #define LANCER_KERNEL_LIGHT_H
 
+#include "lancer/kernel/math.h"
 #include "lancer/kernel/ray.h"
 #include "lancer/kernel/records.h"
 
@@ -13,10 +14,23 @@ struct LightSample {
     Float share;  // 0 outside a spot's cone, 1 in its middle; distance does not dim a light of the report
 };
 
-// Of a spot's light at an angle of this cosine from its axis: 1 within the inner cone, 0 outside the outer one, smooth between them.
-FN Float spot_share(Float cosine, float cos_outer, float cos_inner) {
+// An angle from 0 to pi by its cosine.
+FN Float angle_of_cosine(Float cosine) {
+    Float c = min(max(cosine, Float(-1.0f)), Float(1.0f));
+    return angle_of(sqrt((Float(1.0f) - c) * (Float(1.0f) + c)), c);
+}
+
+// Of a spot's light at an angle of this cosine from its axis: 1 within the inner cone, 0 outside the outer one, between them as `fade` says.
+FN Float spot_share(Float cosine, float cos_outer, float cos_inner, int fade) {
     Float x = clamp01((cosine - Float(cos_outer)) / Float(cos_inner - cos_outer));
-    return x * x * (Float(3.0f) - Float(2.0f) * x);
+    Float share = x * x * (Float(3.0f) - Float(2.0f) * x);
+    if (fade == FADE_EVEN) {
+        Float outer = angle_of_cosine(Float(cos_outer));
+        share = clamp01((outer - angle_of_cosine(cosine)) / max(outer - angle_of_cosine(Float(cos_inner)), Float(1.0e-6f)));
+    } else if (fade == FADE_SQUARE) {
+        share = x * x;
+    }
+    return share;
 }
 
 FN LightSample sample_light(IN(LightRecord) light, Vec3 from) {
@@ -31,7 +45,7 @@ FN LightSample sample_light(IN(LightRecord) light, Vec3 from) {
     }
     if (light.kind == LIGHT_SPOT) {
         Float cosine = -dot(s.direction, broadcast(light.direction));
-        s.share = spot_share(cosine, light.cos_outer, light.cos_inner);
+        s.share = spot_share(cosine, light.cos_outer, light.cos_inner, light.fade);
     }
     return s;
 }

@@ -62,9 +62,11 @@ struct PathVertex {
     Int material;
     Int emitter;   // -1: none
     Mask inside;   // the path comes from within
+    Mask pane;     // met only where it mirrors, see cuts.h
     Vec3 smooth_;  // the shading normal before it was bent, and how rough that made it; -1: not at all, or that is not asked for
     Float hills;
-    Vec3 albedo;  // linear RGB; this and `uv` where `world.watched`
+    Vec3 coat_normal;  // of a coat that has its own, outwards; else 0
+    Vec3 albedo;       // linear RGB; this and `uv` where `world.watched`
     Vec2 uv;
 };
 
@@ -76,14 +78,14 @@ FN PathVertex no_vertex() {
     v.material = Int(-1);
     v.emitter = Int(-1);
     v.inside = Float(1.0f) < Float(0.0f);
+    v.pane = v.inside;
     v.smooth_ = v.point.shading;
     v.hills = Float(-1.0f);
+    v.coat_normal = vec3_all(Float(0.0f));
     v.albedo = vec3_all(Float(0.0f));
     v.uv = vec2_of(Float(0.0f), Float(0.0f));
     return v;
 }
-
-FN Mask all_or_none(bool yes) { return Float(yes ? 1.0f : 0.0f) > Float(0.5f); }
 
 FN Closure material_closure(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) point, Vec4 nanometres, Mask mask) {
     Closure c = no_closure();
@@ -190,8 +192,19 @@ FN void take_material(IN(WorldRecord) world, IN(MaterialRecord) material, IN(Sur
         }
         vertex.point.shading = select(mine, bent, vertex.point.shading);
     }
+    if ((material.flags & MATERIAL_OWN_COAT) != 0) {
+        Vec3 own = s.shading;
+        if (material.coat_normal_map > 0) {
+            own = mapped_normal(world, material.coat_normal_map - 1, material.coat_normal_scale, false, s, mine);
+        }
+        vertex.coat_normal = select(mine, own, vertex.coat_normal);
+    }
     if ((material.flags & MATERIAL_TURNED) != 0) {
-        vertex.point.along_u = select(mine, s.along_u, vertex.point.along_u);
+        Vec3 along = s.along_u;
+        if (material.turn_map > 0 || material.turn.y < 0.0f || material.turn.y > 0.0f || material.turn.x < 0.0f) {
+            along = turned_along(world, material, s, mine);
+        }
+        vertex.point.along_u = select(mine, along, vertex.point.along_u);
     }
     if (world.watched != 0) {
         vertex.albedo = select(mine, material_albedo(world, material, s, direction, nanometres, mine), vertex.albedo);
@@ -238,6 +251,9 @@ FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Float width
         vertex.point.shading = select(mine, s.shading, vertex.point.shading);
         vertex.inside = either(vertex.inside, both(mine, inside));
         vertex.material = select(mine, Int(object.material), vertex.material);
+        if ((material.flags & MATERIAL_PANE) != 0) {
+            vertex.pane = either(vertex.pane, mine);
+        }
         if ((material.flags & MATERIAL_EMITS) != 0) {
             Mask shines = mine;
             if ((material.flags & MATERIAL_EMITS_BEHIND) == 0) {

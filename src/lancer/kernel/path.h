@@ -204,15 +204,15 @@ FN void ask_emitter(IN(WorldRecord) world, int depth, IN(PathVertex) vertex, IN(
         }
         if (some(going)) {
             tally.shadow += lanes_in(going);
-            Float passes = Float(1.0f);
+            Spectrum passes = vec4_all(Float(1.0f));
             if (world.has_media != 0) {
                 Media around = select_media(without(through, vertex.closure.thin), beyond, path.media);
                 UInt decision = UInt(uint(DECISION_DIMMING + depth * DECISIONS_OF_DIMMING));
                 light = light * passing_spectrum(world, shadow, around, path.nanometres, path.numbers, decision, going);
             } else {
-                passes = passing_light(world, shadow, going);
+                passes = passing_light(world, shadow, path.nanometres, going);
             }
-            Mask lit = both(going, passes > Float(0.0f));
+            Mask lit = without(going, is_black(passes));
             if (world.has_transparency != 0 && world.has_media == 0) {
                 Mask near = both(lit, shadow.reach < Float(FAR));
                 Int medium = select(wi.z > Float(0.0f), front, behind);
@@ -220,9 +220,18 @@ FN void ask_emitter(IN(WorldRecord) world, int depth, IN(PathVertex) vertex, IN(
             }
             Float asked = density * chosen.chance;
             Float weight = asked_weight(world, asked, value.density, discrete);
-            path.radiance = select(lit, path.radiance + path.throughput * value.value * light * (weight * passes), path.radiance);
+            path.radiance = select(lit, path.radiance + path.throughput * value.value * light * (passes * weight), path.radiance);
         }
     }
+}
+
+// ---- The coat. ----------------------------------------------------------------------------------------------------------------------------
+
+// The coat's normal, in the frame of what it covers, as it is seen from `view`.
+FN Vec3 seen_coat(IN(PathVertex) vertex, IN(Frame) frame, Vec3 normal, Vec3 view) {
+    Vec3 own = select(vertex.inside, -vertex.coat_normal, vertex.coat_normal);
+    Mask has_own = dot(own, own) > Float(0.5f);
+    return select(has_own, to_local(frame, seen_normal(normal, own, view)), vertex.closure.coat_normal);
 }
 
 // ---- Borders of bodies. ------------------------------------------------------------------------------------------------------------------
@@ -307,7 +316,8 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
         vertex.point.normal = -path.direction;
         vertex.point.shading = -path.direction;
     } else {
-        hit = closest_there(world, path.numbers, DECISION_LAYERS + depth * DECISIONS_OF_LAYERS, path.alive, ray, passed);
+        hit = closest_there(world, path.numbers, DECISION_LAYERS + depth * DECISIONS_OF_LAYERS, path.nanometres, path.alive, ray, passed,
+                            path.throughput);
     }
     Mask met = both(path.alive, is_above(hit.object, Int(-1)));
     Mask here = both(path.alive, either(met, scattered));
@@ -358,6 +368,9 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
             frame = frame_along(shading, vertex.point.along_u);
         }
         Vec3 wo = to_local(frame, view);
+        if (world.has_own_coats != 0) {
+            vertex.closure.coat_normal = seen_coat(vertex, frame, normal, view);
+        }
         Mask clear = either(body, both(here, thin));
         Mask sheet = either(thin, vertex.closure.thin);
         Media beyond = path.media;
@@ -371,6 +384,7 @@ FN_LARGE void path_step(IN(WorldRecord) world, int depth, INOUT(PathState) path,
         }
         if (some(going)) {
             Vec2 choice = decide(path, depth, DECISION_CHOICE);
+            choice.y = select(vertex.pane, Float(0.0f), choice.y);  // it would have been passed: it mirrors
             Vec3 facing = select(is_opaque(vertex.closure), normal, vec3_all(Float(0.0f)));
             Mask asking = without(going, is_smooth(vertex.closure));
             if (world.emitter_count > 0 && world.ways != WAYS_BSDF && some(asking)) {

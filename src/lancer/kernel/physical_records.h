@@ -36,23 +36,27 @@ const int PHASE_HENYEY_GREENSTEIN = 16;
 const int PHASE_RAYLEIGH = 17;
 
 const int MATERIAL_EMITS = 1;
-const int MATERIAL_EMITS_BEHIND = 2;    // on its inner side, too
-const int MATERIAL_ONE_SIDED = 4;       // seen from within it is black
-const int MATERIAL_BECKMANN = 8;        // its facets follow Beckmann's distribution, else GGX
-const int MATERIAL_SATURATES = 16;      // plastic: light that the coat sends back to the body takes its colour once more
-const int MATERIAL_THIN = 32;           // principled: a sheet without inside; what goes through is not bent
-const int MATERIAL_MAPPED = 64;         // needs to know how uv lies on the surface
-const int MATERIAL_TINTED = 128;        // needs the colours of vertices or faces
-const int MATERIAL_TURNED = 256;        // has a direction on the surface: u
-const int MATERIAL_RELIEF = 512;        // its normals are bent by a texture
-const int MATERIAL_CHOOSES = 1024;      // is a mix, or has another material behind
-const int MATERIAL_CUT = 2048;          // is not there everywhere, see `opacity`
-const int MATERIAL_OPEN_BEHIND = 4096;  // nor where it is met from within; always cut, too
-const int MATERIAL_BODY = 8192;         // a clear body, whose border bends all light that goes through
-const int MATERIAL_SEPARATE = 32768;    // its facets hide one another towards either direction by itself
-const int MATERIAL_BLENDS = 131072;     // a mix of two diffuse surfaces, looked at as one of the mixed colour
-const int MATERIAL_HILLS = 262144;      // its bent normals hide from one another, see relief.h
-const int MATERIAL_ONCE = 65536;        // light that meets several of its facets is lost
+const int MATERIAL_EMITS_BEHIND = 2;     // on its inner side, too
+const int MATERIAL_ONE_SIDED = 4;        // seen from within it is black
+const int MATERIAL_BECKMANN = 8;         // its facets follow Beckmann's distribution, else GGX
+const int MATERIAL_SATURATES = 16;       // plastic: light that the coat sends back to the body takes its colour once more
+const int MATERIAL_THIN = 32;            // principled: a sheet without inside; what goes through is not bent
+const int MATERIAL_MAPPED = 64;          // needs to know how uv lies on the surface
+const int MATERIAL_TINTED = 128;         // needs the colours of vertices or faces
+const int MATERIAL_TURNED = 256;         // has a direction on the surface: u
+const int MATERIAL_RELIEF = 512;         // its normals are bent by a texture
+const int MATERIAL_CHOOSES = 1024;       // is a mix, or has another material behind
+const int MATERIAL_CUT = 2048;           // is not there everywhere, see `opacity`
+const int MATERIAL_OPEN_BEHIND = 4096;   // nor where it is met from within; always cut, too
+const int MATERIAL_BODY = 8192;          // a clear body, whose border bends all light that goes through
+const int MATERIAL_SEPARATE = 32768;     // its facets hide one another towards either direction by itself
+const int MATERIAL_BLENDS = 131072;      // a mix of two diffuse surfaces, looked at as one of the mixed colour
+const int MATERIAL_HILLS = 262144;       // its bent normals hide from one another, see relief.h
+const int MATERIAL_ONCE = 65536;         // light that meets several of its facets is lost
+const int MATERIAL_PANE = 524288;        // a smooth sheet: paths pass it like a cut surface, and meet it only to be mirrored
+const int MATERIAL_BOUNDS = 1048576;     // a pane with an interior, which begins behind it
+const int MATERIAL_OWN_COAT = 4194304;   // principled: its coat does not follow the normals of what it covers
+const int MATERIAL_CROSSWISE = 2097152;  // y of its normal map lies along the cross product of the normal and x, wherever v grows
 
 // A number of a material that a texture gives: offset + scale * channel.
 const int INPUT_ROUGHNESS = 0;  // its square is alpha; rough diffuse surfaces take it as it is
@@ -99,9 +103,13 @@ struct MaterialRecord {
     float film_index;       // index of refraction of the film, 1.3; Burley's sheets: the share of the diffuse light that goes through
     int first_input;        // into inputs: what textures give instead, in the order of the kinds
     int input_count;
-    int normal_map;        // 1 + texture; 0: none
-    vec2 normal_scale;     // of its first two channels; a negative second one turns them over
-    int height_input;      // 1 + input: bumps; 0: none
+    int normal_map;       // 1 + texture; 0: none
+    vec2 normal_scale;    // of its first two channels; a negative second one turns them over
+    int height_input;     // 1 + input: bumps; 0: none
+    int coat_normal_map;  // 1 + texture: of a coat with normals of its own; 0: those of the shape
+    vec2 coat_normal_scale;
+    int turn_map;          // 1 + texture: red and green are the way along u and v in which it is smooth; 0: along u
+    vec2 turn;             // cosine and sine of an angle, anticlockwise, by which that is turned
     float opacity;         // the chance that a path meets it at all
     int opacity_input;     // 1 + input, instead; 0: none
     float opacity_cutoff;  // met always where the opacity is at least this, else never; 0: by chance
@@ -192,6 +200,7 @@ struct EmitterRecord {
     vec3 upwards;
     int columns;  // of their cells to draw from; first_share, share_count: cumulative shares of rows from below, then of each row's cells
     int even;     // projectors: as bright everywhere on a screen
+    int fade;     // spots: FADE_*
     int profile;  // IES: into distributions: how many vertical angles, how many horizontal ones, the angles in half and in full turns, the intensities
 };
 
@@ -230,7 +239,7 @@ struct SkyRecord {
     int width;
     int height;
     float turn;  // about +y, in full turns
-    int tilted;  // 1: what the turned image takes for x, y and z are these
+    int tilted;  // 1: what the turned image, or the computed sky, takes for x, y and z are these
     vec3 x_axis;
     vec3 y_axis;
     vec3 z_axis;
@@ -239,7 +248,7 @@ struct SkyRecord {
     float scale;
     int first_share;  // into distributions: `height` cumulative shares of rows; for each row, `width` of its texels
     int model;        // SKY_MODEL: into distributions, shares of the sun's light outside the air; `horizon` is that light times `scale`
-    vec3 sun;         // the direction towards it, length 1
+    vec3 sun;         // the direction towards it, length 1, along these axes
     float sun_chord;  // the square of the distance between its middle and its border on the unit sphere; 0: no sun
     float sun_share;  // the chance that directions are drawn from it
     ColorRecord sun_light;  // its radiance
@@ -282,7 +291,7 @@ RECORDS_END
 
 #ifdef __cplusplus
 namespace lancer::kernel {
-static_assert(sizeof(ColorRecord) == 40 && sizeof(InputRecord) == 20 && sizeof(MaterialRecord) == 328 && sizeof(EmitterRecord) == 180 &&
+static_assert(sizeof(ColorRecord) == 40 && sizeof(InputRecord) == 20 && sizeof(MaterialRecord) == 352 && sizeof(EmitterRecord) == 184 &&
               sizeof(SkyRecord) == 260 && sizeof(VolumeRecord) == 152 && sizeof(GridRecord) == 88);
 }  // namespace lancer::kernel
 #endif

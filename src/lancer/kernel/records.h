@@ -164,6 +164,10 @@ const int LIGHT_POINT = 0;
 const int LIGHT_SPOT = 1;
 const int LIGHT_DIRECTIONAL = 2;
 
+const int FADE_SMOOTH = 0;  // of a spot towards the end of its cone: by a smooth step of the cosine
+const int FADE_EVEN = 1;    // evenly with the angle
+const int FADE_SQUARE = 2;  // with the square of what the cosine has left
+
 struct LightRecord {
     int kind;
     vec3 position;
@@ -171,6 +175,7 @@ struct LightRecord {
     vec3 radiance;   // colour times share
     float cos_outer;
     float cos_inner;
+    int fade;
 };
 
 const int CAMERA_PERSPECTIVE = 0;   // a point of the film (x, y) in pixels maps to the direction corner + x * step_x + y * step_y
@@ -309,8 +314,9 @@ struct WorldRecord {
     int bounces;
     float min_weight;    // of a path worth following
     int has_choices;     // 1: some material is a mix or has another one behind
-    int has_cuts;        // 1: some material is not there everywhere
+    int has_cuts;        // 1: some material is not there everywhere, or a pane
     int has_directions;  // 1: some surface has a direction, see MATERIAL_TURNED
+    int has_own_coats;   // 1: see MATERIAL_OWN_COAT
     float beam;          // share of a pixel's width that each of its samples stands for; 0: no texture asks
     int has_transparency;
     int has_media;           // 1: there are volumes, null borders or priorities
@@ -332,7 +338,7 @@ namespace lancer::kernel {
 static_assert(sizeof(vec3) == 12 && sizeof(vec2) == 8, "records have scalar layout");
 static_assert(sizeof(SphereRecord) == 16 && sizeof(BoxRecord) == 24 && sizeof(PlaneRecord) == 76 && sizeof(AffineRecord) == 48 &&
               sizeof(PlacedRecord) == 156 && sizeof(TriangleRecord) == 36 && sizeof(InstanceRecord) == 104 && sizeof(ObjectRecord) == 28 &&
-              sizeof(TextureRecord) == 92 && sizeof(WhittedRecord) == 40 && sizeof(MediumRecord) == 56 && sizeof(LightRecord) == 48 &&
+              sizeof(TextureRecord) == 92 && sizeof(WhittedRecord) == 40 && sizeof(MediumRecord) == 56 && sizeof(LightRecord) == 52 &&
               sizeof(CameraRecord) == 104);
 }  // namespace lancer::kernel
 #endif

@@ -48,17 +48,43 @@ FN Vec2 height_slopes(IN(WorldRecord) world, IN(InputRecord) source, IN(SurfaceP
     return slopes;
 }
 
+// A direction in the plane of a surface, x along u and y to the side where v grows; `crosswise`: along the cross product of the normal and u.
+FN Vec3 across_surface(IN(SurfacePoint) s, Float x, Float y, bool crosswise) {
+    Frame frame = frame_along(s.shading, s.along_u);
+    Mask mirrored = without(dot(frame.y, s.along_v) < Float(0.0f), all_or_none(crosswise));
+    return frame.x * x + frame.y * select(mirrored, -y, y);
+}
+
+// The normal that a map has there, outwards.
+FN Vec3 mapped_normal(IN(WorldRecord) world, int texture, vec2 scale, bool crosswise, IN(SurfacePoint) s, Mask mask) {
+    Vec4 color = texture_color(world, AT(world.textures, texture), s, mask);
+    Float x = (color.x * Float(2.0f) - Float(1.0f)) * Float(scale.x);
+    Float y = (color.y * Float(2.0f) - Float(1.0f)) * Float(scale.y);
+    Float z = max(color.z * Float(2.0f) - Float(1.0f), Float(1.0f / 255.0f));
+    return normalize(across_surface(s, x, y, crosswise) + s.shading * z);
+}
+
+// The way in which a surface is smooth.
+FN Vec3 turned_along(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) s, Mask mask) {
+    Float x = Float(1.0f);
+    Float y = Float(0.0f);
+    if (material.turn_map > 0) {
+        Vec4 color = texture_color(world, AT(world.textures, material.turn_map - 1), s, mask);
+        x = color.x * Float(2.0f) - Float(1.0f);
+        y = color.y * Float(2.0f) - Float(1.0f);
+    }
+    Float cosine = Float(material.turn.x);
+    Float sine = Float(material.turn.y);
+    Vec3 way = across_surface(s, x * cosine - y * sine, x * sine + y * cosine, false);
+    Float size = dot(way, way);
+    return select(size > Float(1.0e-6f), way / sqrt(max(size, Float(SMALLEST))), s.along_u);
+}
+
 // The shading normal, outwards, as the material's relief bends it.
 FN Vec3 bent_normal(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) s, Mask mask) {
     Vec3 n = s.shading;
-    Frame frame = frame_along(n, s.along_u);
-    Mask mirrored = dot(frame.y, s.along_v) < Float(0.0f);
     if (material.normal_map > 0) {
-        Vec4 color = texture_color(world, AT(world.textures, material.normal_map - 1), s, mask);
-        Float x = (color.x * Float(2.0f) - Float(1.0f)) * Float(material.normal_scale.x);
-        Float y = (color.y * Float(2.0f) - Float(1.0f)) * Float(material.normal_scale.y);
-        Float z = max(color.z * Float(2.0f) - Float(1.0f), Float(1.0f / 255.0f));
-        n = normalize(frame.x * x + frame.y * select(mirrored, -y, y) + n * z);
+        n = mapped_normal(world, material.normal_map - 1, material.normal_scale, (material.flags & MATERIAL_CROSSWISE) != 0, s, mask);
     }
     if (material.height_input > 0) {
         // The surface raised along its normal [Blinn 1978].

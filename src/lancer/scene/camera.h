@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "lancer/base/diagnostic.h"
@@ -23,6 +24,8 @@ struct Camera {
     double extent = 2.0;          // orthographic: metres across the picture along `fov_axis`
     double aperture = 0.0;        // diameter of the lens in metres; 0: a pinhole, all is sharp
     double focus_distance = 5.0;  // of the plane that is sharp, along the view
+    glm::dvec2 shift{0.0};  // where the view meets the picture: so far left of its middle and below it, in parts of its width and height
+    double pixel_aspect = 1.0;  // width of a pixel over its height
     SourcePosition source;
 };
 

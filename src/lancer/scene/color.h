@@ -48,8 +48,9 @@ struct TintedSpectrum {
 // where 1 at every wavelength has luminance 1.
 struct Spectrum {
     std::variant<MeasuredSpectrum, IlluminantSpectrum, BlackbodySpectrum, DaylightSpectrum, MetalSpectrum, TintedSpectrum> shape;
-    double scale = 1.0;               // times this
-    std::optional<double> luminance;  // of lights: scaled to it first
+    double scale = 1.0;                        // times this
+    std::optional<double> luminance;           // of lights: scaled to it first
+    std::optional<Rgb> as_rgb = std::nullopt;  // of lights: what, times `scale`, it is where light is red, green and blue; else its colour
 };
 
 struct Color {

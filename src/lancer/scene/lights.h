@@ -20,6 +20,8 @@ struct PointLight {
     glm::dvec3 position{0.0};
 };
 
+enum class SpotFade { smooth, even, square };  // by a smooth step of the cosine, evenly with the angle, or with its cosine's square
+
 struct SpotLight {
     glm::dvec3 position{0.0};
     glm::dvec3 direction{0.0, -1.0, 0.0};
@@ -27,6 +29,7 @@ struct SpotLight {
     double falloff = 5.0;                              // degrees over which it fades, measured inwards from `angle`
     std::optional<ImageTexture> image = std::nullopt;  // times this: a square around the cone, thrown as a projector does
     glm::dvec3 up{0.0, 1.0, 0.0};                      // of that picture
+    SpotFade fade = SpotFade::smooth;
 };
 
 struct DirectionalLight {
@@ -90,6 +93,7 @@ struct ClearSky {
     double ozone = 0.3;                                            // atm-cm
     double ground = 0.2;                                           // the share of light that it scatters back
     bool has_sun = true;                                           // whether the sun itself is there, and not only its light in the air
+    glm::dvec3 up{0.0, 1.0, 0.0};                                  // length 1
 };
 
 // What rays see that leave the scene: a vertical gradient, all equal for a plain colour; or a latitude-longitude image around it.

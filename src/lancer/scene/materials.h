@@ -102,6 +102,12 @@ struct PlasticMaterial {
     Facets facets = {};
 };
 
+// Normals of a coat, where they differ from those of what it covers: the shape's own, or those of a map as in Relief.
+struct CoatRelief {
+    std::optional<Texture> normals = std::nullopt;
+    double scale = 1.0;  // of x and y
+};
+
 // Layers: sheen over a clear coat over a base of metal, coloured body or clear body. After glTF's metallic-roughness and its extensions.
 struct PrincipledMaterial {
     Texture color = Color(Rgb(0.8));
@@ -120,6 +126,10 @@ struct PrincipledMaterial {
     Value film = 0.0;  // thickness in nanometres of a thin film; 0: none
     double film_refraction = 1.3;
     double dispersion = 0.0;  // of the clear body: 20 / Abbe number, as glTF has it
+    std::optional<CoatRelief> coat_relief = std::nullopt;
+    double turn = 0.0;  // degrees, anticlockwise from u, to where it is smooth, as `anisotropy` has it
+    std::optional<Texture> smooth_along =
+        std::nullopt;  // red and green from 0 to 1: the same by a texture: the way along u and v that is turned
 };
 
 // Burley's surface, after what was published of it: scenes of other programs are made for it. It is bright where PrincipledMaterial is true.
@@ -163,6 +173,7 @@ struct Relief {
     double scale = 1.0;                             // of x and y
     bool flips_green = false;                       // y grows downwards
     std::optional<Value> heights = std::nullopt;    // metres outwards, of which only the slopes are seen
+    bool crosswise = false;                         // y lies along the cross product of the normal and x, wherever v grows
     bool shadows = false;                           // light that comes slantwise is dimmed as if the relief hid it from itself
 };
 

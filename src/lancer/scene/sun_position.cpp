@@ -110,4 +110,17 @@ glm::dvec3 sun_direction(double elevation, double azimuth, double heading) {
     return {std::sin(around) * std::cos(up), std::sin(up), -std::cos(around) * std::cos(up)};
 }
 
+glm::dmat3 upright(const glm::dvec3& up) {
+    if (up == glm::dvec3(0.0, 1.0, 0.0)) {
+        return glm::dmat3(1.0);
+    }
+    if (up.y < -1.0 + 1e-12) {
+        return {glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, -1.0, 0.0), glm::dvec3(0.0, 0.0, -1.0)};
+    }
+    // Turned about the cross product of the two [Rodrigues].
+    const double share = 1.0 / (1.0 + up.y);
+    return {glm::dvec3(1.0 - up.x * up.x * share, -up.x, -up.x * up.z * share), up,
+            glm::dvec3(-up.x * up.z * share, -up.z, 1.0 - up.z * up.z * share)};
+}
+
 }  // namespace lancer::scene

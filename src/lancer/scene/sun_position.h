@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 namespace lancer::scene {
@@ -23,5 +24,8 @@ SunPosition sun_position(double days, double latitude, double longitude);
 
 // Towards the sun, length 1, where +y is up and -z looks `heading` degrees from north over east.
 glm::dvec3 sun_direction(double elevation, double azimuth, double heading);
+
+// Where x, y and z come to lie when +y is turned to `up`, of length 1, by the shortest way: with +z up, -z comes to lie along +y.
+glm::dmat3 upright(const glm::dvec3& up);
 
 }  // namespace lancer::scene

@@ -8,6 +8,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <glm/matrix.hpp>
+
+#include "lancer/scene/sun_position.h"
 #include "lancer/spectrum/atmosphere.h"
 #include "lancer/spectrum/sensor.h"
 #include "lancer/spectrum/sun.h"
@@ -50,10 +53,16 @@ void compile_clear_sky(const scene::ClearSky& clear, double strength, World& wor
     sky.width = picture_width;
     sky.height = picture_height;
     sky.stretch = 1.0f;
-    sky.sun = kernel::vec3(clear.sun);
+    const glm::dmat3 axes = scene::upright(clear.up);
+    const glm::dvec3 sun = glm::transpose(axes) * clear.sun;
+    sky.sun = kernel::vec3(sun);
+    sky.tilted = axes == glm::dmat3(1.0) ? 0 : 1;
+    sky.x_axis = kernel::vec3(axes[0]);
+    sky.y_axis = kernel::vec3(axes[1]);
+    sky.z_axis = kernel::vec3(axes[2]);
     const std::vector<double> nanometres = model_wavelengths();
     const Atmosphere air(clear.turbidity, clear.ozone, clear.ground, nanometres);
-    const double sun_elevation = std::asin(std::clamp(clear.sun.y, -1.0, 1.0));
+    const double sun_elevation = std::asin(std::clamp(sun.y, -1.0, 1.0));
     const SkyShares shares = air.sky(sun_elevation, kernel::MODEL_AZIMUTHS, kernel::MODEL_ELEVATIONS);
     sky.model = static_cast<int>(world.distributions.size());
     for (const double share : shares.radiance) {
@@ -101,7 +110,7 @@ void compile_clear_sky(const scene::ClearSky& clear, double strength, World& wor
     const auto at = [&](int azimuth, int elevation) {
         return table[static_cast<std::size_t>(azimuth * kernel::MODEL_ELEVATIONS + elevation)];
     };
-    const double sun_azimuth = std::atan2(clear.sun.x, -clear.sun.z);
+    const double sun_azimuth = std::atan2(sun.x, -sun.z);
     world.sky_texels.clear();
     for (int row = 0; row < picture_height; ++row) {
         for (int column = 0; column < picture_width; ++column) {

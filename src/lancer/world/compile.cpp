@@ -40,6 +40,10 @@ kernel::CameraRecord compile_camera(const scene::Camera& camera, int width, int 
     if (!(camera.fov > 0.0 && camera.fov < 180.0)) {
         diagnostics.error(camera.source, "the camera's field of view must lie between 0 and 180 degrees");
     }
+    if (!(camera.pixel_aspect > 0.0 && std::isfinite(camera.pixel_aspect) && std::isfinite(camera.shift.x) &&
+          std::isfinite(camera.shift.y))) {
+        diagnostics.error(camera.source, "the camera's pixels must have a shape, and its shift must be finite");
+    }
     if (!(glm::length(glm::cross(camera.direction, camera.up)) > 0.0)) {
         diagnostics.error(camera.source, "the camera must look somewhere, and \"up\" must not point along its view");
     }
@@ -48,13 +52,17 @@ kernel::CameraRecord compile_camera(const scene::Camera& camera, int width, int 
     const glm::dvec3 down = -glm::cross(right, forward);
     // One pixel's size on the plane at distance 1.
     const double across = camera.fov_axis == scene::FovAxis::width ? width : height;
-    const double pixel = 2.0 * std::tan(glm::radians(camera.fov) / 2.0) / across;
-    const glm::dvec3 corner = forward - right * (pixel * width / 2.0) - down * (pixel * height / 2.0);
+    const double aspect = camera.pixel_aspect;
+    const glm::dvec2 shape = camera.fov_axis == scene::FovAxis::width ? glm::dvec2(1.0, 1.0 / aspect) : glm::dvec2(aspect, 1.0);
+    const glm::dvec2 pixel = shape * (2.0 * std::tan(glm::radians(camera.fov) / 2.0) / across);
+    // From where the view meets the film to its upper left corner, in pixels.
+    const glm::dvec2 off(width * (camera.shift.x - 0.5), height * (-camera.shift.y - 0.5));
+    const glm::dvec3 corner = forward + right * (pixel.x * off.x) + down * (pixel.y * off.y);
     kernel::CameraRecord record{};
     record.position = to_float(camera.position);
     record.corner = to_float(corner);
-    record.step_x = to_float(right * pixel);
-    record.step_y = to_float(down * pixel);
+    record.step_x = to_float(right * pixel.x);
+    record.step_y = to_float(down * pixel.y);
     record.right = to_float(right);
     record.down = to_float(down);
     record.forward = to_float(forward);
@@ -62,11 +70,11 @@ kernel::CameraRecord compile_camera(const scene::Camera& camera, int width, int 
     record.lens_radius = static_cast<float>(camera.aperture / 2.0);
     record.focus_distance = static_cast<float>(camera.focus_distance);
     if (camera.projection == scene::Projection::orthographic) {
-        const double step = camera.extent / across;
+        const glm::dvec2 step = shape * (camera.extent / across);
         record.kind = kernel::CAMERA_ORTHOGRAPHIC;
-        record.corner = to_float(camera.position - right * (step * width / 2.0) - down * (step * height / 2.0));
-        record.step_x = to_float(right * step);
-        record.step_y = to_float(down * step);
+        record.corner = to_float(camera.position + right * (step.x * off.x) + down * (step.y * off.y));
+        record.step_x = to_float(right * step.x);
+        record.step_y = to_float(down * step.y);
     } else if (camera.projection == scene::Projection::panorama) {
         record.kind = kernel::CAMERA_PANORAMA;
     }

@@ -71,6 +71,7 @@ public:
             const SpotCone cone = spot_cone(*spot);
             record.cos_outer = cone.cos_outer;
             record.cos_inner = cone.cos_inner;
+            record.fade = fade_of(*spot);
             if (spot->image) {
                 compile_thrown(*spot, *light.power, world_, textures_, colors_, record);
             }

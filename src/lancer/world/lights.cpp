@@ -18,6 +18,17 @@ SpotCone spot_cone(const scene::SpotLight& spot) {
     return cone;
 }
 
+int fade_of(const scene::SpotLight& spot) {
+    switch (spot.fade) {
+        case scene::SpotFade::even:
+            return kernel::FADE_EVEN;
+        case scene::SpotFade::square:
+            return kernel::FADE_SQUARE;
+        default:
+            return kernel::FADE_SMOOTH;
+    }
+}
+
 kernel::LightRecord light_record(const scene::Light& light) {
     kernel::LightRecord record{};
     record.radiance = kernel::vec3(emitted(light.color) * light.intensity);
@@ -32,6 +43,7 @@ kernel::LightRecord light_record(const scene::Light& light) {
         const SpotCone cone = spot_cone(*spot);
         record.cos_outer = cone.cos_outer;
         record.cos_inner = cone.cos_inner;
+        record.fade = fade_of(*spot);
     } else if (const auto* sun = std::get_if<scene::DirectionalLight>(&light.model)) {
         record.kind = kernel::LIGHT_DIRECTIONAL;
         record.direction = kernel::vec3(glm::normalize(sun->direction));

@@ -13,6 +13,7 @@ struct SpotCone {
 };
 
 SpotCone spot_cone(const scene::SpotLight& spot);
+int fade_of(const scene::SpotLight& spot);  // FADE_*
 
 // For Whitted's integrator: its share of the light.
 kernel::LightRecord light_record(const scene::Light& light);

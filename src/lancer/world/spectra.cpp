@@ -90,6 +90,9 @@ scene::Rgb reflected(const scene::Color& color) {
 }
 
 scene::Rgb emitted(const scene::Color& color) {
+    if (color.spectrum && color.spectrum->as_rgb) {
+        return *color.spectrum->as_rgb * color.spectrum->scale;
+    }
     return color.spectrum ? glm::max(to_rgb(light_curve(*color.spectrum)), scene::Rgb(0.0)) : color.rgb;
 }
 

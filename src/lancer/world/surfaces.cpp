@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "lancer/spectrum/metal.h"
 #include "lancer/spectrum/sensor.h"
@@ -28,6 +29,7 @@ public:
         position_ = &material.position;
         kernel::MaterialRecord record{};
         record.first_input = static_cast<int>(world_.inputs.size());
+        record.turn = kernel::vec2(1.0f, 0.0f);
         record.color = colors_.constant(0.0);
         record.index = colors_.constant(1.0);
         record.extinction = colors_.constant(0.0);
@@ -51,6 +53,7 @@ public:
             set_relief(material.relief, record);
         }
         mark(record);
+        set_pane(record);
         world_.surfaces.push_back(record);
     }
 
@@ -180,12 +183,20 @@ private:
         record.extinction = colors_.reflectance(textures_.add(material.specular));
         record.eta = static_cast<float>(material.refraction);
         set_roughness(material.roughness, material.anisotropy, record);
+        const double turn = glm::radians(material.turn);
+        record.turn = kernel::vec2(static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn)));
+        if (material.smooth_along && (record.flags & kernel::MATERIAL_TURNED) != 0) {
+            record.turn_map = 1 + textures_.add(*material.smooth_along).number;
+        }
         record.metalness = take(material.metalness, kernel::INPUT_METALNESS);
         record.transmission = take(material.transmission, kernel::INPUT_TRANSMISSION);
         record.coat = take(material.coat, kernel::INPUT_COAT);
         record.coat_roughness =
             static_cast<float>(square(static_cast<double>(take(material.coat_roughness, kernel::INPUT_COAT_ROUGHNESS))));
         record.coat_index = 1.5f;
+        if (material.coat_relief && material.coat.most() > 0.0) {
+            set_coat_relief(*material.coat_relief, record);
+        }
         record.sheen_roughness = take(material.sheen_roughness, kernel::INPUT_SHEEN_ROUGHNESS);
         record.film_thickness = take(material.film, kernel::INPUT_FILM);
         record.film_index = static_cast<float>(material.film_refraction);
@@ -193,6 +204,16 @@ private:
         const bool clear = material.transmission.number >= 1.0 && !material.transmission.texture && !(material.metalness.most() > 0.0);
         record.flags |= clear && !material.thin ? kernel::MATERIAL_BODY : 0;
         set_clearness(material.absorption, colors_, record);
+    }
+
+    void set_coat_relief(const scene::CoatRelief& relief, kernel::MaterialRecord& record) {
+        record.flags |= kernel::MATERIAL_OWN_COAT;
+        world_.has_own_coats = true;
+        if (relief.normals) {
+            record.coat_normal_map = 1 + textures_.add(*relief.normals).number;
+            record.coat_normal_scale = kernel::vec2(static_cast<float>(relief.scale));
+            record.flags |= kernel::MATERIAL_MAPPED;
+        }
     }
 
     void set(const scene::BurleyMaterial& material, kernel::MaterialRecord& record) {
@@ -243,6 +264,16 @@ private:
         world_.has_choices = world_.has_choices || (record.flags & kernel::MATERIAL_CHOOSES) != 0;
     }
 
+    // A pane that looks the same from both sides and does nothing but mirror and let pass.
+    void set_pane(kernel::MaterialRecord& record) {
+        constexpr int others = kernel::MATERIAL_CHOOSES | kernel::MATERIAL_EMITS | kernel::MATERIAL_ONE_SIDED | kernel::MATERIAL_RELIEF |
+                               kernel::MATERIAL_OPEN_BEHIND;
+        if (record.kind == kernel::BSDF_THIN_DIELECTRIC && (record.flags & others) == 0) {
+            record.flags |= kernel::MATERIAL_PANE;
+            world_.has_cuts = true;
+        }
+    }
+
     void set_relief(const scene::Relief& relief, kernel::MaterialRecord& record) {
         if (relief.normals) {
             record.normal_map = 1 + textures_.add(*relief.normals).number;
@@ -253,7 +284,8 @@ private:
             record.height_input = refer(*relief.heights, kernel::INPUT_HEIGHT);
         }
         if (record.normal_map > 0 || record.height_input > 0) {
-            record.flags |= kernel::MATERIAL_RELIEF | kernel::MATERIAL_MAPPED | (relief.shadows ? kernel::MATERIAL_HILLS : 0);
+            record.flags |= kernel::MATERIAL_RELIEF | kernel::MATERIAL_MAPPED | (relief.shadows ? kernel::MATERIAL_HILLS : 0) |
+                            (relief.crosswise ? kernel::MATERIAL_CROSSWISE : 0);
         }
     }
 

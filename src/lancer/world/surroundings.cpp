@@ -76,7 +76,7 @@ public:
         std::map<int, int> material_of;
         for (const kernel::ObjectRecord& object : world_.objects) {
             const kernel::MaterialRecord& material = world_.surfaces[static_cast<std::size_t>(object.material)];
-            if (material.kind != kernel::BSDF_NULL && (material.flags & kernel::MATERIAL_BODY) == 0) {
+            if (material.kind != kernel::BSDF_NULL && (material.flags & (kernel::MATERIAL_BODY | kernel::MATERIAL_BOUNDS)) == 0) {
                 continue;
             }
             if (object.kind == kernel::OBJECT_TRIANGLE) {

@@ -202,10 +202,7 @@ void compile_thrown(const scene::ProjectorLight& light, const scene::Color& powe
     set_axes(light.direction, light.up, record);
     glm::dvec2 size(1.0);
     if (light.image) {
-        scene::ImageTexture image = *light.image;
-        image.wrap = scene::Wrap::clamp;
-        image.wrap_v = std::nullopt;
-        record.light = picture_light(image, power, world, textures, colors);
+        record.light = picture_light(*light.image, power, world, textures, colors);
         size = glm::dvec2(size_of(world, record.light));
     } else {
         record.light = colors.light(power);
@@ -229,10 +226,7 @@ void compile_thrown(const scene::ProjectorLight& light, const scene::Color& powe
 void compile_thrown(const scene::SpotLight& light, const scene::Color& power, World& world, Textures& textures, Colors& colors,
                     kernel::EmitterRecord& record) {
     set_axes(light.direction, light.up, record);
-    scene::ImageTexture image = *light.image;
-    image.wrap = scene::Wrap::clamp;
-    image.wrap_v = std::nullopt;
-    record.light = picture_light(image, power, world, textures, colors);
+    record.light = picture_light(*light.image, power, world, textures, colors);
     // Of wide spots the picture covers the middle.
     const double half = std::tan(glm::radians(std::min(light.angle, 89.0)));
     record.across = kernel::vec3(glm::dvec3(record.across) / half);

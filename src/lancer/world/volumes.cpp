@@ -73,6 +73,12 @@ private:
 
     void fill(std::size_t material, const scene::Medium& medium, int number) {
         kernel::MaterialRecord& surface = world_.surfaces[material];
+        if ((surface.flags & kernel::MATERIAL_PANE) != 0 && (surface.flags & kernel::MATERIAL_CUT) == 0) {
+            surface.flags |= kernel::MATERIAL_BOUNDS;
+            world_.has_media = true;
+        } else if (surface.kind == kernel::BSDF_THIN_DIELECTRIC) {
+            return;  // it has no inside
+        }
         if (surface.clear_distance > 0.0f) {
             diagnostics_.error(scene_.materials[material].position, "a material has either an absorption of its own or an interior medium");
             return;

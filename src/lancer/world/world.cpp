@@ -96,6 +96,7 @@ kernel::WorldRecord World::record() const {
     r.has_choices = has_choices ? 1 : 0;
     r.has_cuts = has_cuts ? 1 : 0;
     r.has_directions = has_directions ? 1 : 0;
+    r.has_own_coats = has_own_coats ? 1 : 0;
     r.has_transparency = has_transparency ? 1 : 0;
     r.has_media = has_media ? 1 : 0;
     r.has_priorities = has_priorities ? 1 : 0;

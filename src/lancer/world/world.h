@@ -98,6 +98,7 @@ public:
     float beam = 0.0f;
     bool has_choices = false;
     bool has_cuts = false;
+    bool has_own_coats = false;
     bool has_directions = false;
     bool has_transparency = false;
     bool has_media = false;

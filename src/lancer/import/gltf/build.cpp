@@ -102,8 +102,7 @@ private:
         if (!pose.joints.empty()) {
             return make_triangles(document_, accessors_, primitive, pose, wishes);
         }
-        const auto [known, is_new] =
-            made_.try_emplace({primitive.index(), pose.weights, wishes.uv_sets, wishes.tangents, wishes.tangent_rotation}, nullptr);
+        const auto [known, is_new] = made_.try_emplace({primitive.index(), pose.weights, wishes.uv_sets, wishes.tangents}, nullptr);
         if (is_new) {
             known->second = make_triangles(document_, accessors_, primitive, pose, wishes);
         }
@@ -178,8 +177,7 @@ private:
     Nodes nodes_;
     Textures textures_;
     Materials materials_;
-    std::map<std::tuple<std::uint32_t, std::vector<float>, std::vector<std::size_t>, bool, double>,
-             std::shared_ptr<const scene::TriangleMesh>>
+    std::map<std::tuple<std::uint32_t, std::vector<float>, std::vector<std::size_t>, bool>, std::shared_ptr<const scene::TriangleMesh>>
         made_;
 };
 

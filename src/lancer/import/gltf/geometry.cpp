@@ -83,12 +83,11 @@ void repair_looks(scene::TriangleMesh& mesh) {
     }
 }
 
-// Those of the file, or made; of length 1, at right angles to the normal, and turned.
-void finish_tangents(scene::TriangleMesh& mesh, double rotation) {
+// Those of the file, or made; of length 1, at right angles to the normal.
+void finish_tangents(scene::TriangleMesh& mesh) {
     if (mesh.tangents.empty()) {
         add_tangents(mesh);
     }
-    const auto cosine = static_cast<float>(std::cos(rotation)), sine = static_cast<float>(std::sin(rotation));
     for (std::size_t i = 0; i < mesh.tangents.size(); ++i) {
         const glm::vec3& normal = mesh.normals[i];
         glm::vec3 tangent(mesh.tangents[i]);
@@ -99,11 +98,7 @@ void finish_tangents(scene::TriangleMesh& mesh, double rotation) {
             length = glm::length(tangent);
         }
         const float side = mesh.tangents[i].w < 0.0f ? -1.0f : 1.0f;
-        tangent /= length;
-        if (rotation != 0.0) {
-            tangent = tangent * cosine + glm::cross(normal, tangent) * (side * sine);
-        }
-        mesh.tangents[i] = glm::vec4(tangent, side);
+        mesh.tangents[i] = glm::vec4(tangent / length, side);
     }
 }
 
@@ -140,7 +135,7 @@ std::shared_ptr<const scene::TriangleMesh> make_triangles(Document& document, Ac
     }
     repair_looks(*mesh);
     if (wishes.tangents) {
-        finish_tangents(*mesh, wishes.tangent_rotation);
+        finish_tangents(*mesh);
     }
     return mesh;
 }

@@ -22,7 +22,6 @@ struct Pose {
 struct Wishes {
     std::vector<std::size_t> uv_sets;  // numbers of TEXCOORD_n, in the order of the mesh's sets; two at most
     bool tangents = false;
-    double tangent_rotation = 0.0;  // radians, anticlockwise seen from outside
 };
 
 // Nothing where the primitive has no triangles that could be used; problems have been said.

@@ -111,7 +111,9 @@ void add_light(Document& document, const Node& node, scene::Scene& scene) {
         const Json spot = json["spot"];
         const double outer = std::clamp(spot.number("outerConeAngle", 0.7853981633974483), 1e-3, 1.5707963267948966);
         const double inner = std::clamp(spot.number("innerConeAngle", 0.0), 0.0, outer);
-        light.model = scene::SpotLight{position, direction, glm::degrees(outer), glm::degrees(outer - inner)};
+        scene::SpotLight cone{position, direction, glm::degrees(outer), glm::degrees(outer - inner)};
+        cone.fade = scene::SpotFade::square;  // as the extension recommends
+        light.model = cone;
     } else {
         document.error(json["type"], fmt::format("\"{}\": expected directional, point or spot", type.substr(0, 80)));
         return;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <glm/trigonometric.hpp>
 
 #include "lancer/import/gltf/materials.h"
 
@@ -186,9 +187,14 @@ private:
             model_.coat = value(share(coat, "clearcoatFactor", 0.0), coat["clearcoatTexture"], scene::Channel::red);
             model_.coat_roughness =
                 value(share(coat, "clearcoatRoughnessFactor", 0.0), coat["clearcoatRoughnessTexture"], scene::Channel::green);
-            if (coat["clearcoatNormalTexture"]) {
-                document_.approximated("clearcoatNormalTexture", "the coat follows the normals of what it covers",
-                                       coat["clearcoatNormalTexture"]);
+            const auto normals = textures_.of(coat["clearcoatNormalTexture"], true, wishes_);
+            if (normals || material_.relief.normals) {
+                model_.coat_relief.emplace();
+            }
+            if (normals) {
+                model_.coat_relief->normals = *normals;
+                model_.coat_relief->scale = coat["clearcoatNormalTexture"].number("scale", 1.0);
+                wishes_.tangents = true;
             }
         }
         if (const Json sheen = extension("KHR_materials_sheen")) {
@@ -284,13 +290,13 @@ private:
         }
         model_.anisotropy = value(share(anisotropy, "anisotropyStrength", 0.0), anisotropy["anisotropyTexture"], scene::Channel::blue);
         wishes_.tangents = true;
-        wishes_.tangent_rotation = anisotropy.number("anisotropyRotation", 0.0);
-        if (anisotropy["anisotropyTexture"]) {
-            document_.approximated("anisotropyTexture", "its strength is followed, its direction is not", anisotropy["anisotropyTexture"]);
+        model_.turn = glm::degrees(anisotropy.number("anisotropyRotation", 0.0));
+        if (const auto direction = textures_.of(anisotropy["anisotropyTexture"], true, wishes_)) {
+            model_.smooth_along = *direction;
         }
     }
 
-    // Only bodies that are clear all over can part the colours. Whether this is one that does.
+    // Whether it is nothing but a body that parts the colours.
     bool disperse() {
         const Json json = extension("KHR_materials_dispersion");
         const double dispersion = json.number("dispersion", 0.0);
@@ -300,7 +306,8 @@ private:
         const bool is_pure = !model_.transmission.texture && model_.transmission.number >= 1.0 && !model_.metalness.texture &&
                              model_.metalness.number == 0.0 && model_.coat.most() == 0.0 && model_.film.most() == 0.0;
         if (!is_pure) {
-            document_.approximated("KHR_materials_dispersion", "a surface of several layers does not part the colours", json);
+            model_.dispersion = dispersion;
+            material_.model = model_;
             return false;
         }
         scene::DielectricMaterial glass;

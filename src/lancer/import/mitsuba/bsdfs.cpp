@@ -164,10 +164,8 @@ scene::Material principled(Builder& builder, Plugin& plugin, bool thin) {
     material.thin = thin;
     if (thin) {
         material.refraction = std::max(number_or(builder, plugin, "eta", 1.5), 1.0);
-        material.passes = value_or(builder, plugin, "diff_trans", 0.0);
-        material.passes.number *= 0.5;  // from 0 to 2 there
-        material.passes.scale *= 0.5;
-        material.passes.offset *= 0.5;
+        // From 0 to 2 there.
+        material.passes = changed_value_or(builder, plugin, "diff_trans", 0.0, [](double passes) { return 0.5 * std::clamp(passes, 0.0, 2.0); });
     } else {
         // "specular" from 0 to 1 is 0 to 8 % of the light at normal incidence.
         const double mirrored = std::sqrt(0.08 * number_from(builder, plugin, "specular", 0.5));

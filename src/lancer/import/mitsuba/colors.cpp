@@ -14,6 +14,11 @@
 
 namespace lancer::mitsuba {
 
+scene::Color equal_energy(double value) {
+    const double last = coarse_grid.first + coarse_grid.step * (coarse_grid.count - 1);
+    return scene::Spectrum{scene::MeasuredSpectrum{{coarse_grid.first, last}, {1.0, 1.0}}, value, std::nullopt, scene::Rgb(1.0)};
+}
+
 namespace {
 
 double decode_srgb(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
@@ -77,10 +82,10 @@ scene::Color measured(const WavelengthValues& written, Role role) {
     return spectrum(std::move(curve.nanometres), std::move(curve.values));
 }
 
-// The same at every wavelength. Before version 3 light of that kind was taken for white.
+// Before version 3 light of that kind was white.
 scene::Color uniform(const Builder& builder, double value, Role role) {
     if (role == Role::light && builder.document.major_version() >= 3) {
-        return spectrum({coarse_grid.first, coarse_grid.first + coarse_grid.step * (coarse_grid.count - 1)}, {value, value});
+        return equal_energy(value);
     }
     return Color(role == Role::share ? std::clamp(value, 0.0, 1.0) : value);
 }
@@ -223,6 +228,9 @@ Color visible(const scene::Color& color, Role role) {
         return color.rgb;
     }
     const scene::Spectrum& spectrum = *color.spectrum;
+    if (spectrum.as_rgb) {
+        return *spectrum.as_rgb * spectrum.scale;
+    }
     if (const auto* measured_values = std::get_if<scene::MeasuredSpectrum>(&spectrum.shape)) {
         const SpectralCurve curve(measured_values->nanometres, measured_values->values,
                                   role == Role::light ? SpectralCurve::Beyond::zero : SpectralCurve::Beyond::constant);

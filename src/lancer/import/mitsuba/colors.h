@@ -20,6 +20,9 @@ std::optional<scene::Color> color_of(Builder& builder, const Element& element, R
 // The property of this name; `preset` when it is not written.
 scene::Color color_or(Builder& builder, Plugin& plugin, std::string_view name, const Color& preset, Role role);
 
+// The same at every wavelength; white where light is red, green and blue.
+scene::Color equal_energy(double value);
+
 // What a colour looks like: a light by itself, all else under daylight.
 Color visible(const scene::Color& color, Role role);
 

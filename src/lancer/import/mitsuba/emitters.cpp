@@ -8,10 +8,14 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "lancer/image/image.h"
 #include "lancer/import/mesh/mesh_messages.h"
+#include "lancer/import/mitsuba/colors.h"
+#include "lancer/import/mitsuba/sensors.h"
 #include "lancer/import/mitsuba/textures.h"
+#include "lancer/scene/sun_position.h"
 
 namespace lancer::mitsuba {
 
@@ -74,12 +78,24 @@ void add_spot(Builder& builder, Plugin& plugin) {
     spot.angle = plugin.number("cutoff_angle", 20.0, 0.01, 89.99);
     const double beam = plugin.number("beam_width", 0.75 * spot.angle, 0.0, 180.0);
     spot.falloff = std::max(spot.angle - beam, 0.0);
+    spot.fade = scene::SpotFade::even;
     scene::Color tint(scene::Rgb(1.0));
     if (plugin.has("texture")) {
         spot.image = thrown_picture(builder, plugin, "texture", tint);
-        spot.up = direction(to_world, glm::dvec3(0.0, 1.0, 0.0));
+        // Unlike a projector's it stands on its head.
+        spot.up = direction(to_world, glm::dvec3(0.0, -1.0, 0.0));
     }
     add_light(builder, plugin, spot, times(color_or(builder, plugin, "intensity", Color(1.0), Role::light), tint));
+}
+
+glm::dvec2 size_of(Builder& builder, const scene::ImageTexture& image) {
+    try {
+        const Image pixels = read_image(image.file);
+        return {pixels.width, pixels.height};
+    } catch (const std::runtime_error& problem) {
+        builder.error(image.position, problem.what());
+    }
+    return glm::dvec2(1.0);
 }
 
 // Its irradiance at a distance of 1 comes out pi times as large as it is written.
@@ -89,19 +105,19 @@ void add_projector(Builder& builder, Plugin& plugin) {
     light.position = point(to_world, glm::dvec3(0.0));
     light.direction = direction(to_world, glm::dvec3(0.0, 0.0, 1.0));
     light.up = direction(to_world, glm::dvec3(0.0, 1.0, 0.0));
-    light.fov = plugin.number("fov", 50.0, 1e-3, 179.9);
-    const std::string axis = plugin.text("fov_axis", "x");
-    if (axis == "y") {
-        light.fov_axis = scene::ProjectorFov::height;
-    } else if (axis == "smaller") {
-        light.fov_axis = scene::ProjectorFov::smaller;
-    } else if (axis != "x") {
-        builder.context.report.approximated(fmt::format("{}: \"fov_axis\" {}", plugin.title(), quoted(axis)), "x", plugin.position());
-    }
     scene::Color tint(scene::Rgb(1.0));
     light.image = thrown_picture(builder, plugin, "irradiance", tint);
+    const glm::dvec2 size = light.image ? size_of(builder, *light.image) : glm::dvec2(1.0);
+    const FieldOfView view = field_of_view(builder, plugin, size.x, size.y);
+    light.fov = std::clamp(view.degrees, 1e-3, 179.9);
+    light.fov_axis = view.by_height ? scene::ProjectorFov::height : scene::ProjectorFov::width;
     const double scale = std::max(plugin.number("scale", 1.0), 0.0) * std::numbers::pi;
-    add_light(builder, plugin, light, times(tint, scene::Rgb(scale)));
+    if (light.image && builder.document.major_version() < 3) {
+        // Before version 3 a picture's colours were those of its light under no illuminant but one that is the same everywhere.
+        add_light(builder, plugin, light, equal_energy(scale));
+    } else {
+        add_light(builder, plugin, light, times(tint, scene::Rgb(scale)));
+    }
 }
 
 void add_directional(Builder& builder, Plugin& plugin) {
@@ -110,7 +126,10 @@ void add_directional(Builder& builder, Plugin& plugin) {
     add_light(builder, plugin, scene::DirectionalLight{travels}, color_or(builder, plugin, "irradiance", Color(1.0), Role::light));
 }
 
-void set_background(Builder& builder, const scene::Color& color) { builder.scene.background = {color, color, color}; }
+void set_background(Builder& builder, const scene::Color& color) {
+    scene::Background& background = builder.scene.background;
+    background.zenith = background.horizon = background.nadir = color;
+}
 
 void add_constant(Builder& builder, Plugin& plugin) {
     set_background(builder, color_or(builder, plugin, "radiance", Color(1.0), Role::light));
@@ -156,9 +175,57 @@ void add_environment(Builder& builder, Plugin& plugin) {
     builder.honoured(plugin);
 }
 
+// Towards the sun, with z up, x to the east and y to the north; and how far it is.
+glm::dvec3 sun_by_time(Builder& builder, Plugin& plugin, double& distance) {
+    const double latitude = plugin.number("latitude", 35.689, -90.0, 90.0), longitude = plugin.number("longitude", 139.6917, -180.0, 180.0);
+    const std::string day =
+        fmt::format("{:04}-{:02}-{:02}T00:00:00Z", plugin.integer("year", 2010), plugin.integer("month", 7), plugin.integer("day", 10));
+    const auto midnight = scene::days_since_2000(day);
+    if (!midnight) {
+        builder.error(plugin.position(), fmt::format("there is no date {}, or none from 1950 to 2050", day.substr(0, 10)));
+        return {0.0, 0.0, 1.0};
+    }
+    const double hours = plugin.number("hour", 15.0) + plugin.number("minute", 0.0) / 60.0 + plugin.number("second", 0.0) / 3600.0;
+    const double days = *midnight + (hours - plugin.number("timezone", plugin.number("standardMeridian", 135.0) / 15.0)) / 24.0;
+    const scene::SunPosition sun = scene::sun_position(days, latitude, longitude);
+    distance = sun.distance;
+    const double height = glm::radians(sun.elevation), azimuth = glm::radians(sun.azimuth);
+    return {std::cos(height) * std::sin(azimuth), std::cos(height) * std::cos(azimuth), std::sin(height)};
+}
+
+// Version 0.x has y up, and north along z.
 void add_sky(Builder& builder, Plugin& plugin) {
-    set_background(builder, Color(1.0));
-    builder.approximated(plugin, "white surroundings: the sky's model is not there");
+    const bool y_up = builder.document.major_version() < 2;
+    const glm::dmat4 to_world = plugin.transform("to_world").value_or(glm::dmat4(1.0));
+    scene::ClearSky sky;
+    const glm::dvec3 up = direction(to_world, y_up ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0));
+    glm::dvec3 sun;
+    if (plugin.has("sun_direction")) {
+        sun = plugin.vector("sun_direction", glm::dvec3(0.0, 0.0, 1.0));
+        sun = y_up ? direction(to_world, sun) : sun;
+    } else {
+        const glm::dvec3 local = sun_by_time(builder, plugin, sky.distance);
+        sun = direction(to_world, y_up ? glm::dvec3(local.x, local.z, local.y) : local);
+    }
+    if (!(glm::length(up) > 0.0 && glm::length(sun) > 0.0)) {
+        builder.error(plugin.position(), "the sky's transform is singular, or its sun nowhere");
+        return;
+    }
+    sky.up = glm::normalize(up);
+    sky.sun = glm::normalize(sun);
+    sky.turbidity = plugin.number("turbidity", 3.0, 1.0, 10.0);
+    const Color ground = visible(color_or(builder, plugin, "albedo", Color(y_up ? 0.2 : 0.3), Role::share), Role::share);
+    sky.ground = std::clamp((ground.x + ground.y + ground.z) / 3.0, 0.0, 1.0);
+    const double scale = std::max(plugin.number("sky_scale", plugin.number("scale", 1.0)), 0.0);
+    const double sun_scale = plugin.number("sun_scale", 1.0);
+    sky.has_sun = plugin.type() != "sky" && sun_scale > 0.0;
+    for (const std::string_view name :
+         {"sun_aperture", "sun_radius_scale", "stretch", "extend", "resolution", "samples_per_pixel", "complex_sun"}) {
+        plugin.ignore(name);
+    }
+    builder.scene.background.sky = sky;
+    builder.scene.background.strength = scale;
+    builder.approximated(plugin, "our own model of a clear sky; the sun is as bright as it is in that");
 }
 
 struct Kind {
@@ -169,7 +236,7 @@ struct Kind {
 constexpr Kind kinds[] = {
     {"point", add_point},         {"spot", add_spot},         {"directional", add_directional},
     {"projector", add_projector}, {"constant", add_constant}, {"envmap", add_environment},
-    {"sunsky", add_sky},          {"sky", add_sky},
+    {"sunsky", add_sky},          {"sky", add_sky},           {"sun", add_sky},
 };
 
 }  // namespace

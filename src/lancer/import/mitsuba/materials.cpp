@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "lancer/import/made_picture.h"
 #include "lancer/import/mesh/mesh_messages.h"
 #include "lancer/import/mitsuba/bsdfs.h"
+#include "lancer/import/mitsuba/colors.h"
 #include "lancer/import/mitsuba/emitters.h"
 #include "lancer/import/mitsuba/textures.h"
 
@@ -97,7 +99,17 @@ scene::Material bump(Builder& builder, Plugin& plugin) {
 scene::Material normal_map(Builder& builder, Plugin& plugin) {
     scene::Material material = nested(builder, plugin);
     if (const Element* texture = only_texture(builder, plugin)) {
-        material.relief.normals = texture_of(builder, *texture, Role::index);
+        const scene::Texture normals = texture_of(builder, *texture, Role::index);
+        if (const auto* everywhere = std::get_if<scene::Color>(&normals)) {
+            const Color color = visible(*everywhere, Role::index);
+            if (color != Color(0.5, 0.5, 1.0)) {
+                const Image pixel{1, 1, 3, {static_cast<float>(color.x), static_cast<float>(color.y), static_cast<float>(color.z)}};
+                material.relief.normals = made_picture(pixel, plugin.position());
+            }
+        } else {
+            material.relief.normals = normals;
+        }
+        material.relief.crosswise = material.relief.normals.has_value();
     }
     material.relief.shadows = plugin.flag("use_shadowing_function", true);
     plugin.ignore("flip_invalid_normals");

@@ -49,7 +49,29 @@ void set_filter(Builder& builder, const Element& element) {
     }
 }
 
-void set_film(Builder& builder, const Element& element) {
+// A window of the film is a smaller film behind a lens that is shifted.
+struct Window {
+    glm::ivec2 whole{0};  // pixels of the film
+    glm::ivec2 from{0};   // its upper left corner
+    glm::ivec2 size{0};
+};
+
+Window window_of(Builder& builder, const Element& element) {
+    Plugin plugin = builder.plugin(element);
+    Window window;
+    window.whole = {plugin.integer("width", 768), plugin.integer("height", 576)};
+    window.from = {plugin.integer("crop_offset_x", 0), plugin.integer("crop_offset_y", 0)};
+    window.size = {plugin.integer("crop_width", window.whole.x), plugin.integer("crop_height", window.whole.y)};
+    if (window.from.x < 0 || window.from.y < 0 || window.size.x < 1 || window.size.y < 1 ||
+        window.size.x > window.whole.x - window.from.x || window.size.y > window.whole.y - window.from.y) {
+        builder.error(plugin.position(), "the crop window does not lie on the film");
+        window.from = {0, 0};
+        window.size = window.whole;
+    }
+    return window;
+}
+
+void set_film(Builder& builder, const Element& element, const Window& window) {
     Plugin plugin = builder.plugin(element);
     scene::RenderSettings& settings = builder.scene.settings;
     const int width = plugin.integer("width", 768), height = plugin.integer("height", 576);
@@ -57,21 +79,16 @@ void set_film(Builder& builder, const Element& element) {
         builder.error(plugin.position(), fmt::format("a film of {} x {} pixels: expected 1 to {}", width, height, largest_side));
         return;
     }
-    settings.width = width;
-    settings.height = height;
+    settings.width = window.size.x;
+    settings.height = window.size.y;
     settings.filter = scene::PixelFilter::gaussian;
     settings.filter_radius = 1.5;
     for (const auto& [name, filter] : plugin.children({"rfilter"})) {
         set_filter(builder, *filter);
     }
-    for (const std::string_view name : {"crop_width", "crop_height", "crop_offset_x", "crop_offset_y"}) {
-        if (plugin.has(name)) {
-            builder.context.report.dropped(fmt::format("{}: \"{}\"", plugin.title(), name), "the whole picture is rendered",
-                                           plugin.position());
-        }
-    }
-    for (const std::string_view name : {"pixel_format", "component_format", "file_format", "sample_border", "compensate", "banner",
-                                        "attach_log", "high_quality_edges", "gamma", "exposure", "tonemap_method", "label"}) {
+    for (const std::string_view name :
+         {"crop_width", "crop_height", "crop_offset_x", "crop_offset_y", "pixel_format", "component_format", "file_format", "sample_border",
+          "compensate", "banner", "attach_log", "high_quality_edges", "gamma", "exposure", "tonemap_method", "label"}) {
         plugin.ignore(name);
     }
     if (plugin.type() == "hdrfilm" || plugin.type() == "ldrfilm") {
@@ -93,41 +110,6 @@ void set_sampler(Builder& builder, const Element& element) {
     builder.honoured(plugin);
 }
 
-// The axis along which Mitsuba measures the field of view, as ours.
-void set_field_of_view(Builder& builder, Plugin& plugin, scene::Camera& camera) {
-    const double width = builder.scene.settings.width, height = builder.scene.settings.height;
-    std::string axis = plugin.text("fov_axis", "x");
-    double fov = 0.0;
-    if (plugin.has("fov")) {
-        fov = plugin.number("fov", 50.0, 1e-4, 179.9999);
-    } else {
-        // In millimetres, for a film of 36 x 24 mm.
-        const std::string text = plugin.text("focal_length", "50mm");
-        const double millimetres = parse_number(text.substr(0, text.find("mm"))).value_or(0.0);
-        if (!(millimetres > 0.0)) {
-            builder.error(plugin.position(), fmt::format("\"focal_length\": expected millimetres, as \"50mm\", found {}", quoted(text)));
-            return;
-        }
-        fov = glm::degrees(2.0 * std::atan(0.5 * std::hypot(36.0, 24.0) / millimetres));
-        axis = "diagonal";
-    }
-    if (axis == "smaller") {
-        axis = width > height ? "y" : "x";
-    } else if (axis == "larger") {
-        axis = width > height ? "x" : "y";
-    }
-    if (axis == "diagonal") {
-        const double half = std::tan(0.5 * glm::radians(fov)) * width / std::hypot(width, height);
-        fov = glm::degrees(2.0 * std::atan(half));
-        axis = "x";
-    }
-    if (axis != "x" && axis != "y") {
-        builder.error(plugin.position(), fmt::format("\"fov_axis\" is {}: expected x, y, diagonal, smaller or larger", quoted(axis)));
-    }
-    camera.fov = fov;
-    camera.fov_axis = axis == "y" ? scene::FovAxis::height : scene::FovAxis::width;
-}
-
 void place_camera(Builder& builder, Plugin& plugin, const glm::dmat4& to_world, scene::Camera& camera) {
     camera.position = glm::dvec3(to_world[3]);
     camera.direction = glm::dvec3(to_world[2]);
@@ -142,13 +124,58 @@ void place_camera(Builder& builder, Plugin& plugin, const glm::dmat4& to_world, 
     }
 }
 
+// From the whole film to the window.
+void look_through(const Window& window, scene::Camera& camera) {
+    const glm::dvec2 whole(window.whole), size(window.size), middle = glm::dvec2(window.from) + 0.5 * size;
+    const double share = camera.fov_axis == scene::FovAxis::width ? size.x / whole.x : size.y / whole.y;
+    camera.fov = glm::degrees(2.0 * std::atan(std::tan(glm::radians(camera.fov) / 2.0) * share));
+    camera.extent *= share;
+    const glm::dvec2 off = (middle - 0.5 * whole) / size;  // to the right and down
+    camera.shift = camera.shift * whole / size + glm::dvec2(off.x, -off.y);
+}
+
 }  // namespace
+
+FieldOfView field_of_view(Builder& builder, Plugin& plugin, double width, double height) {
+    FieldOfView view;
+    std::string axis = plugin.text("fov_axis", "x");
+    if (plugin.has("fov")) {
+        view.degrees = plugin.number("fov", 50.0, 1e-4, 179.9999);
+    } else {
+        // In millimetres, for a film of 36 x 24 mm.
+        const std::string text = plugin.text("focal_length", "50mm");
+        const double millimetres = parse_number(text.substr(0, text.find("mm"))).value_or(0.0);
+        if (!(millimetres > 0.0)) {
+            builder.error(plugin.position(), fmt::format("\"focal_length\": expected millimetres, as \"50mm\", found {}", quoted(text)));
+            return view;
+        }
+        view.degrees = glm::degrees(2.0 * std::atan(0.5 * std::hypot(36.0, 24.0) / millimetres));
+        axis = "diagonal";
+    }
+    if (axis == "smaller") {
+        axis = width > height ? "y" : "x";
+    } else if (axis == "larger") {
+        axis = width > height ? "x" : "y";
+    }
+    if (axis == "diagonal") {
+        const double half = std::tan(0.5 * glm::radians(view.degrees)) * width / std::hypot(width, height);
+        view.degrees = glm::degrees(2.0 * std::atan(half));
+        axis = "x";
+    }
+    if (axis != "x" && axis != "y") {
+        builder.error(plugin.position(), fmt::format("\"fov_axis\" is {}: expected x, y, diagonal, smaller or larger", quoted(axis)));
+    }
+    view.by_height = axis == "y";
+    return view;
+}
 
 void add_sensor(Builder& builder, const Element& element, bool first) {
     Plugin plugin = builder.plugin(element);
     const scene::RenderSettings before = builder.scene.settings;
+    Window window{{768, 576}, {0, 0}, {768, 576}};
     for (const auto& [name, film] : plugin.children({"film"})) {
-        set_film(builder, *film);
+        window = window_of(builder, *film);
+        set_film(builder, *film, window);
     }
     for (const auto& [name, sampler] : plugin.children({"sampler"})) {
         set_sampler(builder, *sampler);
@@ -165,7 +192,10 @@ void add_sensor(Builder& builder, const Element& element, bool first) {
     const std::string& type = plugin.type();
     bool known = true;
     if (type == "perspective" || type == "thinlens") {
-        set_field_of_view(builder, plugin, camera);
+        const FieldOfView view = field_of_view(builder, plugin, window.whole.x, window.whole.y);
+        camera.fov = view.degrees;
+        camera.fov_axis = view.by_height ? scene::FovAxis::height : scene::FovAxis::width;
+        camera.shift = {plugin.number("principal_point_offset_x", 0.0), -plugin.number("principal_point_offset_y", 0.0)};
         if (type == "thinlens") {
             camera.aperture = 2.0 * plugin.number("aperture_radius", 0.0, 0.0, 1e9);
         }
@@ -180,8 +210,13 @@ void add_sensor(Builder& builder, const Element& element, bool first) {
         known = false;
         camera.fov = 50.0;
     }
-    for (const std::string_view name :
-         {"near_clip", "far_clip", "shutter_open", "shutter_close", "srf", "principal_point_offset_x", "principal_point_offset_y"}) {
+    if (window.size != window.whole && camera.projection != scene::Projection::panorama) {
+        look_through(window, camera);
+    } else if (window.size != window.whole) {
+        builder.context.report.dropped(fmt::format("{}: a crop window", plugin.title()), "the whole panorama is squeezed into it",
+                                       plugin.position());
+    }
+    for (const std::string_view name : {"near_clip", "far_clip", "shutter_open", "shutter_close", "srf"}) {
         plugin.ignore(name);
     }
     if (known) {
@@ -223,7 +258,9 @@ void set_integrator(Builder& builder, const Element& element) {
     }
     plugin.ignore("rr_depth");
     if (plugin.flag("hide_emitters", false)) {
-        builder.context.report.dropped(fmt::format("{}: \"hide_emitters\"", plugin.title()), "emitters are seen", plugin.position());
+        builder.scene.background.visible = false;
+        builder.context.report.approximated(fmt::format("{}: \"hide_emitters\"", plugin.title()),
+                                            "the surroundings are not seen, shapes that shine are", plugin.position());
     }
     plugin.ignore("strict_normals");
     if (type == "path" || type == "direct") {

@@ -31,8 +31,8 @@ Window usual_window(double aspect) {
 
 class Builder {
 public:
-    Builder(ImportContext& context, const Recipe& camera, scene::RenderSettings& settings)
-        : context_(context), type_(camera.type), parameters_(camera.parameters), settings_(settings) {}
+    Builder(ImportContext& context, const Recipe& camera, const Recipe* film, scene::RenderSettings& settings)
+        : context_(context), type_(camera.type), parameters_(camera.parameters), film_(film), settings_(settings) {}
 
     scene::Camera build(const glm::dmat4& from_world) {
         scene::Camera camera;
@@ -44,6 +44,7 @@ public:
         } else {
             set_flat(camera);
         }
+        crop(camera);
         return camera;
     }
 
@@ -89,11 +90,10 @@ private:
         camera.fov_axis = size.x < size.y ? scene::FovAxis::width : scene::FovAxis::height;
         const double across = std::min(size.x, size.y);
         if (glm::length(window.middle()) > 1e-6 * across) {
-            context_.report.approximated("a \"screenwindow\" off the middle", "the middle", parameters_.position());
+            camera.shift = window.middle() / size;
         }
-
-        if (std::abs(size.x / size.y - aspect) > 1e-3 * aspect) {
-            context_.report.approximated("pixels that are not square", "square ones", parameters_.position());
+        if (std::abs(size.x / size.y - aspect) > 1e-6 * aspect) {
+            camera.pixel_aspect = std::clamp(size.x / size.y / aspect, 1e-3, 1e3);
         }
         if (type_ == "orthographic") {
             camera.projection = scene::Projection::orthographic;
@@ -117,6 +117,43 @@ private:
         }
     }
 
+    // The part of the film that is rendered, in pixels: a smaller film behind a lens that is shifted.
+    void crop(scene::Camera& camera) {
+        if (film_ == nullptr) {
+            return;
+        }
+        const Parameters& film = film_->parameters;
+        const glm::dvec2 whole(settings_.width, settings_.height);
+        glm::dvec2 low(0.0), high = whole;
+        if (const std::vector<double> shares = film.numbers("cropwindow"); shares.size() == 4) {
+            low = glm::ceil(whole * glm::clamp(glm::dvec2(shares[0], shares[2]), 0.0, 1.0));
+            high = glm::ceil(whole * glm::clamp(glm::dvec2(shares[1], shares[3]), 0.0, 1.0));
+        }
+        if (const std::vector<int> pixels = film.integers("pixelbounds"); pixels.size() == 4) {
+            low = glm::clamp(glm::dvec2(pixels[0], pixels[2]), glm::dvec2(0.0), whole);
+            high = glm::clamp(glm::dvec2(pixels[1], pixels[3]), glm::dvec2(0.0), whole);
+        }
+        const glm::dvec2 size = high - low;
+        if (size == whole) {
+            return;
+        }
+        if (!(size.x >= 1.0 && size.y >= 1.0)) {
+            context_.diagnostics.error(film.position(), "the part of the film that is to be rendered has no pixels");
+            return;
+        }
+        if (camera.projection == scene::Projection::panorama) {
+            context_.report.dropped("a part of a panorama", "the whole picture is rendered", film.position());
+            return;
+        }
+        const double share = camera.fov_axis == scene::FovAxis::width ? size.x / whole.x : size.y / whole.y;
+        camera.fov = glm::degrees(2.0 * std::atan(std::tan(glm::radians(camera.fov) / 2.0) * share));
+        camera.extent *= share;
+        const glm::dvec2 off = 0.5 * (low + high - whole) / size;
+        camera.shift = camera.shift * whole / size + glm::dvec2(off.x, -off.y);
+        settings_.width = static_cast<int>(size.x);
+        settings_.height = static_cast<int>(size.y);
+    }
+
     void set_lens(scene::Camera& camera) {
         const double radius = parameters_.number("lensradius", 0.0);
         const double focus = parameters_.number("focaldistance", 1e6);
@@ -128,16 +165,17 @@ private:
     ImportContext& context_;
     const std::string& type_;
     const Parameters& parameters_;
+    const Recipe* film_;
     scene::RenderSettings& settings_;
     glm::dvec3 along_x_{1.0, 0.0, 0.0};  // the camera's own, in the world
 };
 
 }  // namespace
 
-scene::Camera build_camera(ImportContext& context, const Recipe* camera, const Recipe*, const glm::dmat4& from_world,
+scene::Camera build_camera(ImportContext& context, const Recipe* camera, const Recipe* film, const glm::dmat4& from_world,
                            scene::RenderSettings& settings) {
     const Recipe standard{Parameters(context, "Camera", {context.path, 0, 0}, {}), "perspective", ColorSpace::srgb, 0};
-    return Builder(context, camera != nullptr ? *camera : standard, settings).build(from_world);
+    return Builder(context, camera != nullptr ? *camera : standard, film, settings).build(from_world);
 }
 
 }  // namespace lancer::pbrt

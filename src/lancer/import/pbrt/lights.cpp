@@ -12,6 +12,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "lancer/image/image.h"
+#include "lancer/import/made_picture.h"
 #include "lancer/import/pbrt/environments.h"
 #include "lancer/import/pbrt/files.h"
 #include "lancer/import/pbrt/light_power.h"
@@ -22,6 +23,31 @@ namespace lancer::pbrt {
 namespace {
 
 using std::numbers::pi;
+
+// The mean of the channels in all of them.
+Image grey(const Image& image) {
+    Image result = image;
+    const auto channels = static_cast<std::size_t>(image.channels);
+    for (std::size_t i = 0; channels >= 3 && i < result.pixels.size(); i += channels) {
+        float* p = &result.pixels[i];
+        p[0] = p[1] = p[2] = (p[0] + p[1] + p[2]) / 3.0f;
+    }
+    return result;
+}
+
+// Right and left changed over; in three channels.
+Image mirrored(const Image& image) {
+    Image result{image.width, image.height, 3, {}};
+    const auto width = static_cast<std::size_t>(image.width), channels = static_cast<std::size_t>(image.channels);
+    result.pixels.reserve(width * static_cast<std::size_t>(image.height) * 3);
+    for (std::size_t row = 0; row < static_cast<std::size_t>(image.height); ++row) {
+        for (std::size_t column = width; column-- > 0;) {
+            const float* p = &image.pixels[(row * width + column) * channels];
+            result.pixels.insert(result.pixels.end(), {p[0], p[channels >= 3 ? 1 : 0], p[channels >= 3 ? 2 : 0]});
+        }
+    }
+    return result;
+}
 
 // What a projector of unit scale sends out: the mean of the picture's channels times the solid angle of each pixel.
 double thrown_flux(const Image& image, double fov) {
@@ -260,8 +286,10 @@ void Lights::add_goniometric(const Recipe& light, const glm::dmat4& to_world) {
     if (picture && picture->square && !version3_) {
         Environment environment;
         environment.position = picture->position;
-        environment.image = picture->image;
-        environment.to_light = glm::inverse(glm::dmat3(to_world));
+        environment.image = grey(picture->image);
+        // The middle of the square lies along y, unlike that of surroundings.
+        const glm::dmat3 swapped(glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.0, 1.0, 0.0));
+        environment.to_light = swapped * glm::inverse(glm::dmat3(to_world));
         push(light, scene::GoniometricLight{position, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, panorama_of({environment}, scene::Rgb(0.0))},
              Color(tint));
         context_.report.approximated(parameters.owner() + ": a square of equal areas", "latitudes and longitudes as fine",
@@ -291,9 +319,9 @@ void Lights::add_projection(const Recipe& light, const glm::dmat4& to_world) {
         image.position = picture->position;
         if (glm::determinant(glm::dmat3(to_world)) > 0.0) {
             // Its right is where x grows, and that is to the left of who looks along z in a space of this hand.
-            image.scale.x = -1.0;
-            image.offset.x = 1.0;
+            image = made_picture(mirrored(picture->image), picture->position);
         }
+        image.wrap = scene::Wrap::clamp;
         projector.image = image;
         if (power && *power > 0.0) {
             const double flux = thrown_flux(picture->image, projector.fov);

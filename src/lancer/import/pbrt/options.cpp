@@ -76,11 +76,8 @@ double Options::set_film(scene::RenderSettings& settings) {
     if (parameters.has("maxcomponentvalue") || parameters.has("maxsampleluminance")) {
         context_.report.dropped("\"maxcomponentvalue\"", "bright samples are not cut off", parameters.position());
     }
-    if (parameters.has("cropwindow") || parameters.has("pixelbounds")) {
-        context_.report.dropped("\"cropwindow\"", "the whole picture is rendered", parameters.position());
-    }
-    parameters.pass_over(
-        {"pixelbounds", "filename", "savefp16", "diagonal", "displayfile", "coordinatesystem", "nbuckets", "lambdamin", "lambdamax"});
+    parameters.pass_over({"cropwindow", "pixelbounds", "filename", "savefp16", "diagonal", "displayfile", "coordinatesystem", "nbuckets",
+                          "lambdamin", "lambdamax"});
     if (film->type == "rgb" || film->type == "gbuffer" || (version3_ && film->type == "image")) {
         context_.report.honoured(parameters.owner(), parameters.position());
     } else {

@@ -49,6 +49,8 @@ scene::Camera read_camera(Messages& messages, const toml::table& table, std::str
     result.fov_axis = reader.choice("fov_axis") == 0 ? scene::FovAxis::width : scene::FovAxis::height;
     result.projection = static_cast<scene::Projection>(reader.choice("projection"));
     result.extent = reader.number("extent");
+    result.shift = reader.vector2("shift");
+    result.pixel_aspect = reader.number("pixel_aspect");
     result.aperture = reader.number("aperture");
     if (const auto focus = reader.number_if_written("focus_distance")) {
         result.focus_distance = *focus;

@@ -229,6 +229,9 @@ private:
         const bool stays_upright = glm::length(rotation[1] - glm::dvec3(0.0, 1.0, 0.0)) < 1e-6;
         if (background.image && off < 1e-6) {
             background.axes = rotation * background.axes;
+        } else if (background.sky && off < 1e-6) {
+            background.sky->sun = rotation * background.sky->sun;
+            background.sky->up = rotation * background.sky->up;
         } else if (background.image || !stays_upright) {
             context_.messages.warning(position, "the surroundings of this file are not turned with it");
         }

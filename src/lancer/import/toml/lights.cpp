@@ -45,6 +45,7 @@ scene::ImageTexture read_picture(Context& context, TableReader& reader) {
     }
     image.linear = reader.choice("encoding") == 1;
     image.tint = read_rgb(reader, "tint");
+    image.wrap = scene::Wrap::clamp;
     return image;
 }
 
@@ -54,6 +55,7 @@ scene::SpotLight read_spot(Context& context, TableReader& reader) {
     spot.direction = read_direction(reader, spot.position);
     spot.angle = reader.number("angle");
     spot.falloff = reader.number("falloff");
+    spot.fade = static_cast<scene::SpotFade>(reader.choice("fade"));
     if (!reader.has("falloff")) {
         spot.falloff = std::min(spot.falloff, spot.angle);
     } else if (reader.good() && spot.falloff > spot.angle) {
@@ -61,6 +63,7 @@ scene::SpotLight read_spot(Context& context, TableReader& reader) {
     }
     if (reader.has("image")) {
         spot.image = read_picture(context, reader);
+        spot.image->wrap = static_cast<scene::Wrap>(reader.choice("wrap"));
     }
     spot.up = reader.direction("up");
     if (spot.image && reader.good() && !unit_vector(glm::cross(spot.direction, spot.up))) {
@@ -78,6 +81,7 @@ scene::ProjectorLight read_projector(Context& context, TableReader& reader) {
     light.fov_axis = static_cast<scene::ProjectorFov>(reader.choice("fov_axis"));
     if (reader.has("image")) {
         light.image = read_picture(context, reader);
+        light.image->wrap = static_cast<scene::Wrap>(reader.choice("wrap"));
     }
     light.even = reader.flag("even");
     if (reader.good() && !unit_vector(glm::cross(light.direction, light.up))) {

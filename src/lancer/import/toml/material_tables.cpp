@@ -34,6 +34,8 @@ Table physical(std::string_view type, std::string_view help, std::vector<Key> ke
                               "Bends the normals: red along u, green along v, blue outwards, 0.5 standing for none."});
         table.keys.push_back({"normal_scale", Kind::number, 1.0, Range{-100.0, 100.0}, "", "Multiplies the red and green of normal_map."});
         table.keys.push_back({"normal_flip_green", Kind::flag, false, any, "", "The map's green grows downwards, as Direct3D has it."});
+        table.keys.push_back({"normal_crosswise", Kind::flag, false, any, "",
+                              "The map's green grows across normal and red, counter-clockwise, even where the picture is mirrored."});
         table.keys.push_back({"bump", Kind::value, 0.0, any, "m", "Heights that bend the normals as if the surface were raised by them."});
         table.keys.push_back(
             {"relief_shadows", Kind::flag, false, any, "", "Dims slanting light as if normal_map or bump hid it from itself."});
@@ -160,6 +162,13 @@ const Table& principled_material() {
          {"film_refraction", Kind::number, 1.3, Range{1.0, 10.0}, "", "The refractive index of the film."},
          {"dispersion", Kind::number, 0.0, Range{0.0, 10.0}, "",
           "How far the clear body parts the colours: 20 over its Abbe number, as in glTF."},
+         {"coat_smooth", Kind::flag, false, any, "", "The coat is as smooth as the shape, whatever bends the normals of what it covers."},
+         {"coat_normal_map", Kind::texture, glm::dvec3(0.5, 0.5, 1.0), share, "", "Bends the coat's normals, instead of normal_map."},
+         {"coat_normal_scale", Kind::number, 1.0, Range{-100.0, 100.0}, "", "Multiplies the red and green of coat_normal_map."},
+         {"turn", Kind::number, 0.0, Range{-360.0, 360.0}, "degrees",
+          "With anisotropy: from u, anticlockwise, to the way in which it is smooth."},
+         {"smooth_along", Kind::texture, glm::dvec3(1.0, 0.5, 0.0), share, "",
+          "With anisotropy: red along u and green along v, 0.5 standing for none, are that way before it is turned."},
          interior,
          priority});
     return table;

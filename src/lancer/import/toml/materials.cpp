@@ -185,6 +185,26 @@ scene::PlasticMaterial read_plastic(Context& context, TableReader& reader) {
             reader.flag("saturates"), read_facets(reader)};
 }
 
+void read_coat_relief(Context& context, TableReader& reader, scene::PrincipledMaterial& model) {
+    const bool has_map = reader.has("coat_normal_map");
+    if (reader.flag("coat_smooth") || has_map) {
+        model.coat_relief.emplace();
+    }
+    if (has_map) {
+        model.coat_relief->normals = read_texture(context, reader, "coat_normal_map", true);
+        model.coat_relief->scale = reader.number("coat_normal_scale");
+        if (reader.good() && model.coat_relief->normals->index() == 0) {
+            reader.error("coat_normal_map", "\"coat_normal_map\" must be a texture: a color bends all normals alike");
+        }
+    }
+    if (reader.has("coat_normal_scale") && !has_map) {
+        reader.error("coat_normal_scale", "\"coat_normal_scale\" needs \"coat_normal_map\" beside it");
+    }
+    if (has_map && reader.flag("coat_smooth")) {
+        reader.error("coat_smooth", "a coat is either smooth or has a \"coat_normal_map\"");
+    }
+}
+
 scene::PrincipledMaterial read_principled(Context& context, TableReader& reader) {
     scene::PrincipledMaterial model;
     model.color = read_texture(context, reader, "color");
@@ -203,6 +223,11 @@ scene::PrincipledMaterial read_principled(Context& context, TableReader& reader)
     model.film = read_value(context, reader, "film");
     model.film_refraction = reader.number("film_refraction");
     model.dispersion = reader.number("dispersion");
+    read_coat_relief(context, reader, model);
+    model.turn = reader.number("turn");
+    if (reader.has("smooth_along")) {
+        model.smooth_along = read_texture(context, reader, "smooth_along", true);
+    }
     return model;
 }
 
@@ -235,7 +260,8 @@ scene::Relief read_relief(Context& context, TableReader& reader) {
     }
     relief.scale = reader.number("normal_scale");
     relief.flips_green = reader.flag("normal_flip_green");
-    for (const char* key : {"normal_scale", "normal_flip_green"}) {
+    relief.crosswise = reader.flag("normal_crosswise");
+    for (const char* key : {"normal_scale", "normal_flip_green", "normal_crosswise"}) {
         if (reader.has(key) && !relief.normals) {
             reader.error(key, fmt::format("\"{}\" needs \"normal_map\" beside it", key));
         }
@@ -319,10 +345,12 @@ scene::Material Materials::read_table(const toml::table& table) {
     if (materials()[kind]->find("interior")) {
         material.interior = read_interior(context_, reader);
         material.priority = reader.integer("priority");
-        for (const char* key : {"absorption", "thin"}) {
-            if (reader.has("interior") && reader.has(key) && (std::string_view(key) != "thin" || reader.flag("thin"))) {
-                reader.error("interior", fmt::format("a material has either an \"interior\" or \"{}\"", key));
-            }
+        if (reader.has("interior") && reader.has("absorption")) {
+            reader.error("interior", "a material has either an \"interior\" or \"absorption\"");
+        }
+        if (reader.has("interior") && !std::holds_alternative<scene::DielectricMaterial>(material.model) && reader.has("thin") &&
+            reader.flag("thin")) {
+            reader.error("interior", "a material has either an \"interior\" or \"thin\"");
         }
     }
     material.emission = read_emission(context_, reader);

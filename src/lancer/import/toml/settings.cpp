@@ -82,6 +82,8 @@ scene::Background read_background_table(Context& context, TableReader& reader) {
         image.position = reader.position("image");
         image.linear = reader.choice("encoding") == 1;
         image.tint = read_rgb(reader, "tint");
+        image.scale.y = reader.number("stretch");
+        image.offset.y = reader.number("lift");
         if (context.files.image(image, image.position)) {
             result.image = image;
         } else {
@@ -93,7 +95,7 @@ scene::Background read_background_table(Context& context, TableReader& reader) {
                 reader.error(key, fmt::format("\"{}\" turns an \"image\"; this background has none", key));
             }
         }
-        for (const char* key : {"encoding", "tint"}) {
+        for (const char* key : {"encoding", "tint", "stretch", "lift"}) {
             if (reader.has(key)) {
                 reader.error(key, fmt::format("\"{}\" is said of an \"image\"; this background has none", key));
             }
@@ -169,6 +171,10 @@ void read_sky(Context& context, const toml::node& node, bool has_background) {
         }
     } else if (elevation && azimuth) {
         sky.sun = scene::sun_direction(*elevation, *azimuth, heading);
+    }
+    sky.up = reader.direction("up");
+    if (!reader.has("toward_sun")) {
+        sky.sun = scene::upright(sky.up) * sky.sun;
     }
     sky.turbidity = reader.number("turbidity");
     sky.ozone = reader.number("ozone");

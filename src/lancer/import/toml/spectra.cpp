@@ -88,8 +88,10 @@ std::string objection(std::string_view kind, const TableReader& reader, const Ke
         return fmt::format("\"{}\" is an absorption, in 1/m: write it as a color, or measured, with \"spectrum\" or \"wavelengths\"",
                            key.name);
     }
-    if (!light && reader.has("luminance")) {
-        return fmt::format("\"luminance\" is for lights; \"{}\" is none", key.name);
+    for (const char* name : {"luminance", "as_rgb"}) {
+        if (!light && reader.has(name)) {
+            return fmt::format("\"{}\" is for lights; \"{}\" is none", name, key.name);
+        }
     }
     return {};
 }
@@ -122,6 +124,9 @@ std::optional<scene::Spectrum> read_spectrum(Context& context, const toml::table
     scene::Spectrum result;
     result.scale = reader.number("scale");
     result.luminance = reader.number_if_written("luminance");
+    if (reader.has("as_rgb")) {
+        result.as_rgb = read_rgb(reader, "as_rgb");
+    }
     if (reader.good()) {
         if (const std::string problem = objection(kind, reader, key); !problem.empty()) {
             reader.error(reader.has(kind) ? kind : "values", problem);

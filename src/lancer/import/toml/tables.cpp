@@ -65,6 +65,13 @@ Key thrown_encoding() {
 
 Key thrown_tint() { return {"tint", Kind::rgb, glm::dvec3(1.0), not_negative, "", "Multiplies the colours of the image."}; }
 
+Key thrown_wrap() {
+    return {"wrap",  Kind::choice,
+            "clamp", any,
+            "",      "What its edges blend into: themselves, the edges across, or their mirror image.",
+            false,   {"repeat", "clamp", "mirror"}};
+}
+
 Key thrown_power(std::string_view help) { return {"power", Kind::color, none, not_negative, "W/sr", help, true}; }
 
 }  // namespace
@@ -90,6 +97,9 @@ const Table& camera() {
           false,
           {"perspective", "orthographic", "panorama"}},
          {"extent", Kind::number, 2.0, positive, "m", "Orthographic: what the picture spans along fov_axis."},
+         {"shift", Kind::vector2, glm::dvec2(0.0), Range{-1000.0, 1000.0}, "",
+          "Moves the picture to the right and up over what the camera sees, in parts of its width and height: a lens that is shifted."},
+         {"pixel_aspect", Kind::number, 1.0, Range{0.001, 1000.0}, "", "The width of a pixel over its height."},
          {"aperture", Kind::number, 0.0, not_negative, "m", "The diameter of the lens; 0 keeps everything sharp. Path integrator only."},
          {"focus_distance", Kind::number, none, positive, "m", "To the plane that is sharp; look_at's when not written."}}};
     return table;
@@ -109,10 +119,19 @@ const Table& spot_light() {
          {"look_at", Kind::vector3, none, any, "m", "The point that it shines at; instead of direction."},
          {"angle", Kind::number, 30.0, Range{0.0, 180.0, true, true}, "degrees", "From the cone's axis to where the light ends."},
          {"falloff", Kind::number, 5.0, Range{0.0, 180.0}, "degrees", "Over how much of angle it fades, measured inwards; at most angle."},
+         {"fade",
+          Kind::choice,
+          "smooth",
+          any,
+          "",
+          "How it fades: by a smooth step of the angle's cosine, evenly with the angle, or with the square of its cosine's step.",
+          false,
+          {"smooth", "even", "square"}},
          {"image", Kind::file, none, any, "",
           "A picture that dims it, thrown over the square around the cone; seen from the scene file's folder (path)."},
          thrown_encoding(),
          thrown_tint(),
+         thrown_wrap(),
          {"up", Kind::direction, upwards, any, "", "What is up in the picture."}},
         light_power("W/sr"));
     return table;
@@ -144,6 +163,7 @@ const Table& projector_light() {
          {"image", Kind::file, none, any, "", "The picture, seen from the scene file's folder; a white square when not written."},
          thrown_encoding(),
          thrown_tint(),
+         thrown_wrap(),
          {"even", Kind::flag, true, any, "",
           "Whether a screen at right angles is as bright at its edges as in the middle; else the light is as intense in each direction."}},
         thrown_power("What it gives along its axis where the picture is white, weighed by the eye; and its colour."), false);
@@ -194,7 +214,9 @@ const Table& spectrum() {
          {"rgb", Kind::rgb, none, not_negative, "", "A color: its smooth spectrum; as a light, times illuminant, D65 when not written."},
          {"scale", Kind::number, 1.0, not_negative, "", "Multiplies it: of a light of luminance 1, its power or radiance."},
          {"luminance", Kind::number, none, not_negative, "",
-          "Lights: scales it to be as bright as a white of this value, whatever it was."}}};
+          "Lights: scales it to be as bright as a white of this value, whatever it was."},
+         {"as_rgb", Kind::rgb, none, not_negative, "",
+          "Lights: what it is, times scale, in pictures that are rendered in red, green and blue; its colour when not written."}}};
     return table;
 }
 
@@ -439,6 +461,10 @@ const Table& background() {
          {"rotation", Kind::number, 0.0, Range{-36000.0, 36000.0}, "degrees",
           "Turns the image about the y axis, counter-clockwise as seen from above."},
          {"tint", Kind::rgb, glm::dvec3(1.0), not_negative, "", "Multiplies the colours of the image."},
+         {"stretch", Kind::number, 1.0, Range{-1e6, 1e6}, "",
+          "How much of the image's height reaches from nadir to zenith: less than 1 where the middles of its first and last rows lie "
+          "there."},
+         {"lift", Kind::number, 0.0, Range{-1e6, 1e6}, "", "Where in the image, from below in parts of its height, the nadir lies."},
          {"axes", Kind::vectors3, none, Range{-1.0, 1.0}, "",
           "Where x, y and z of the turned image lie: three directions of length 1, at right angles."},
          {"strength", Kind::number, 1.0, not_negative, "", "Times this."},
@@ -464,6 +490,7 @@ const Table& clear_sky() {
           "The direction towards the sun; instead of place and time, or elevation and azimuth."},
          {"sun_distance", Kind::number, 1.0, Range{0.5, 2.0}, "au", "How far the sun is, in astronomical units; place and time know it."},
          {"heading", Kind::number, 0.0, Range{-360.0, 360.0}, "degrees", "Where -z looks, from north over east."},
+         {"up", Kind::direction, upwards, any, "", "Where the zenith is; the compass is turned with it by the shortest way."},
          {"turbidity", Kind::number, 3.0, Range{1.0, 10.0}, "", "How hazy the air is: 1 pure, 2 to 3 clear, 10 thick haze."},
          {"ozone", Kind::number, 0.3, Range{0.0, 1.0}, "atm-cm", "The ozone overhead."},
          {"ground", Kind::number, 0.2, share, "",

@@ -43,6 +43,7 @@ std::string write_curve(const scene::MeasuredSpectrum& curve);
 std::string write_texture(WriteContext& context, const scene::Texture& texture);
 std::string write_value(WriteContext& context, const scene::Value& value);
 std::string write_refraction(const scene::Refraction& refraction);
+const char* wrap_word(scene::Wrap wrap);
 // The name of a picture's file, seen from the scene's.
 std::string write_picture(WriteContext& context, const scene::ImageTexture& image);
 

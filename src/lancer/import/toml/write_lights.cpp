@@ -7,6 +7,18 @@ namespace lancer::notation {
 
 namespace {
 
+const char* word(scene::SpotFade fade) {
+    switch (fade) {
+        case scene::SpotFade::smooth:
+            return "smooth";
+        case scene::SpotFade::even:
+            return "even";
+        case scene::SpotFade::square:
+            return "square";
+    }
+    return "";
+}
+
 const char* word(scene::ProjectorFov axis) {
     switch (axis) {
         case scene::ProjectorFov::width:
@@ -54,14 +66,16 @@ void add_model(WriteContext& context, Fields& fields, const decltype(scene::Ligh
                               fields.vector("position", at);
                           },
                           [&](const scene::SpotLight& spot) {
-                              const auto& [at, direction, angle, falloff, image, up] = spot;
+                              const auto& [at, direction, angle, falloff, image, up, fade] = spot;
                               fields.text("type", "spot");
                               fields.vector("position", at);
                               fields.vector("direction", direction);
                               fields.number("angle", angle);
                               fields.number("falloff", falloff);
+                              fields.text("fade", word(fade), word(scene::SpotFade::smooth));
                               if (image) {
                                   add_picture(context, fields, *image);
+                                  fields.text("wrap", wrap_word(image->wrap), wrap_word(scene::Wrap::clamp));
                                   fields.vector("up", up);
                               }
                           },
@@ -80,6 +94,7 @@ void add_model(WriteContext& context, Fields& fields, const decltype(scene::Ligh
                               fields.text("fov_axis", word(fov_axis), word(scene::ProjectorFov::width));
                               if (image) {
                                   add_picture(context, fields, *image);
+                                  fields.text("wrap", wrap_word(image->wrap), wrap_word(scene::Wrap::clamp));
                               }
                               fields.flag("even", even, true);
                           },

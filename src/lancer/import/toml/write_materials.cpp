@@ -93,7 +93,7 @@ void write_model(Fields& fields, WriteContext& context, const scene::PlasticMate
 
 void write_model(Fields& fields, WriteContext& context, const scene::PrincipledMaterial& model) {
     const auto& [color, metalness, roughness, anisotropy, refraction, specular, transmission, thin, absorption, coat, coat_roughness, sheen,
-                 sheen_roughness, film, film_refraction, dispersion] = model;
+                 sheen_roughness, film, film_refraction, dispersion, coat_relief, turn, smooth_along] = model;
     fields.text("type", "principled");
     add_texture(fields, "color", context, color, scene::Rgb(0.8));
     add_value(fields, "metalness", context, metalness, 0.0);
@@ -111,6 +111,18 @@ void write_model(Fields& fields, WriteContext& context, const scene::PrincipledM
     add_value(fields, "film", context, film, 0.0);
     fields.number("film_refraction", film_refraction, 1.3);
     fields.number("dispersion", dispersion, 0.0);
+    if (coat_relief) {
+        const auto& [normals, scale] = *coat_relief;
+        fields.flag("coat_smooth", !normals, false);
+        if (normals) {
+            fields.raw("coat_normal_map", write_texture(context, *normals));
+            fields.number("coat_normal_scale", scale, 1.0);
+        }
+    }
+    fields.number("turn", turn, 0.0);
+    if (smooth_along) {
+        fields.raw("smooth_along", write_texture(context, *smooth_along));
+    }
 }
 
 void write_model(Fields& fields, WriteContext& context, const scene::BurleyMaterial& model) {
@@ -151,11 +163,12 @@ void write_emission(Fields& fields, WriteContext& context, const scene::Emission
 }
 
 void write_relief(Fields& fields, WriteContext& context, const scene::Relief& relief) {
-    const auto& [normals, scale, flips_green, heights, shadows] = relief;
+    const auto& [normals, scale, flips_green, heights, crosswise, shadows] = relief;
     if (normals) {
         fields.raw("normal_map", write_texture(context, *normals));
         fields.number("normal_scale", scale, 1.0);
         fields.flag("normal_flip_green", flips_green, false);
+        fields.flag("normal_crosswise", crosswise, false);
     }
     if (heights) {
         fields.raw("bump", write_value(context, *heights));

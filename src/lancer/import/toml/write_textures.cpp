@@ -8,18 +8,6 @@ namespace lancer::notation {
 
 namespace {
 
-const char* word(scene::Wrap wrap) {
-    switch (wrap) {
-        case scene::Wrap::repeat:
-            return "repeat";
-        case scene::Wrap::clamp:
-            return "clamp";
-        case scene::Wrap::mirror:
-            return "mirror";
-    }
-    return "";
-}
-
 const char* word(scene::Filter filter) {
     switch (filter) {
         case scene::Filter::nearest:
@@ -53,7 +41,7 @@ void add_curve(Fields& fields, const scene::MeasuredSpectrum& curve) {
 }
 
 std::string write_spectrum(const scene::Spectrum& spectrum) {
-    const auto& [shape, scale, luminance] = spectrum;
+    const auto& [shape, scale, luminance, as_rgb] = spectrum;
     Fields fields;
     std::visit(Overloaded{[&](const scene::MeasuredSpectrum& curve) { add_curve(fields, curve); },
                           [&](const scene::IlluminantSpectrum& light) {
@@ -79,6 +67,9 @@ std::string write_spectrum(const scene::Spectrum& spectrum) {
                           }},
                shape);
     fields.number("scale", scale, 1.0);
+    if (as_rgb) {
+        fields.vector("as_rgb", *as_rgb);
+    }
     if (luminance) {
         fields.number("luminance", *luminance);
     }
@@ -98,9 +89,9 @@ std::string write_image(WriteContext& context, const scene::ImageTexture& image)
     Fields fields;
     fields.text("type", "image");
     fields.text("file", write_picture(context, image));
-    fields.text("wrap", word(wrap), word(preset.wrap));
+    fields.text("wrap", wrap_word(wrap), wrap_word(preset.wrap));
     if (wrap_v) {
-        fields.text("wrap_v", word(*wrap_v));
+        fields.text("wrap_v", wrap_word(*wrap_v));
     }
     fields.text("filter", word(filter), word(preset.filter));
     fields.text("encoding", linear ? "linear" : "srgb");
@@ -114,6 +105,18 @@ std::string write_image(WriteContext& context, const scene::ImageTexture& image)
 }
 
 }  // namespace
+
+const char* wrap_word(scene::Wrap wrap) {
+    switch (wrap) {
+        case scene::Wrap::repeat:
+            return "repeat";
+        case scene::Wrap::clamp:
+            return "clamp";
+        case scene::Wrap::mirror:
+            return "mirror";
+    }
+    return "";
+}
 
 std::string write_curve(const scene::MeasuredSpectrum& curve) {
     Fields fields;

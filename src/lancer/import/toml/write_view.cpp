@@ -69,7 +69,8 @@ const char* word(scene::PixelFilter filter) {
 }
 
 Fields camera_fields(const scene::Camera& written) {
-    const auto& [name, position, direction, up, fov, fov_axis, projection, extent, aperture, focus_distance, source] = written;
+    const auto& [name, position, direction, up, fov, fov_axis, projection, extent, aperture, focus_distance, shift, pixel_aspect, source] =
+        written;
     static_cast<void>(name), static_cast<void>(source);
     const scene::Camera preset{};
     Fields fields;
@@ -80,6 +81,8 @@ Fields camera_fields(const scene::Camera& written) {
     fields.text("fov_axis", word(fov_axis), word(preset.fov_axis));
     fields.text("projection", word(projection), word(preset.projection));
     fields.number("extent", extent, preset.extent);
+    fields.vector("shift", shift, preset.shift);
+    fields.number("pixel_aspect", pixel_aspect, preset.pixel_aspect);
     fields.number("aperture", aperture, preset.aperture);
     fields.number("focus_distance", focus_distance, preset.focus_distance);
     return fields;
@@ -110,18 +113,21 @@ std::string write_background(WriteContext& context, const scene::Background& bac
     const auto& [zenith, horizon, nadir, image, rotation, axes, sky, strength, visible] = background;
     Fields fields;
     if (sky) {
-        const auto& [sun, distance, turbidity, ozone, ground, has_sun] = *sky;
+        const auto& [sun, distance, turbidity, ozone, ground, has_sun, up] = *sky;
         fields.vector("toward_sun", sun);
         fields.number("sun_distance", distance, 1.0);
         fields.number("turbidity", turbidity);
         fields.number("ozone", ozone);
         fields.number("ground", ground);
         fields.flag("sun", has_sun, true);
+        fields.vector("up", up, glm::dvec3(0.0, 1.0, 0.0));
     } else if (image) {
-        // Of a picture all around, no more than these three matter.
+        // Of a picture all around, no more than these matter.
         fields.text("image", write_picture(context, *image));
         fields.text("encoding", image->linear ? "linear" : "srgb", "srgb");
         fields.vector("tint", image->tint, scene::Rgb(1.0));
+        fields.number("stretch", image->scale.y, 1.0);
+        fields.number("lift", image->offset.y, 0.0);
         fields.number("rotation", rotation, 0.0);
         if (axes != glm::dmat3(1.0)) {
             fields.raw("axes", fmt::format("[{}, {}, {}]", list_text(axes[0]), list_text(axes[1]), list_text(axes[2])));

@@ -109,8 +109,8 @@ FN_LARGE Spectrum join_emitter(IN(WorldRecord) world, IN(BidirVertex) v, IN(Subp
         going = forth.open;
         if (some(going)) {
             tally.shadow += lanes_in(going);
-            Float passes = passing_light(world, shadow, going);
-            Mask lit = both(going, passes > Float(0.0f));
+            Spectrum passes = passing_light(world, shadow, sub.path.nanometres, going);
+            Mask lit = without(going, is_black(passes));
             if (world.has_transparency != 0) {
                 Mask near = both(lit, shadow.reach < Float(FAR));
                 light = light * left_of_light(world, medium_towards(v, shadow.direction), shadow.reach, sub.path.nanometres, near);
@@ -119,7 +119,7 @@ FN_LARGE Spectrum join_emitter(IN(WorldRecord) world, IN(BidirVertex) v, IN(Subp
             Float by_chance = select(discrete, Float(0.0f), square_of_density(forth.density / asked));
             Float by_light = square_of_density(sent * forth.cosine / chosen.chance) *
                              (merging.merge + v.ways.meet + v.ways.join * square_of_density(forth.back));
-            Float weight = passes / (asked * (Float(1.0f) + by_chance + by_light));
+            Spectrum weight = passes / (asked * (Float(1.0f) + by_chance + by_light));
             Spectrum brought = v.throughput * forth.value * light * weight;
             found = select(lit, first_alone(brought, either(v.single, forth.single)), found);
         }
@@ -149,8 +149,8 @@ FN_LARGE Spectrum join_vertices(IN(WorldRecord) world, IN(BidirVertex) v, IN(Bid
             if (some(going)) {
                 tally.shadow += lanes_in(going);
                 Ray shadow = ray_between(v, direction, before_surface(l.position, l.error, l.normal, distance, -direction));
-                Float passes = passing_light(world, shadow, going);
-                Mask lit = both(going, passes > Float(0.0f));
+                Spectrum passes = passing_light(world, shadow, nanometres, going);
+                Mask lit = without(going, is_black(passes));
                 if (world.has_transparency != 0) {
                     brought = brought * left_of_light(world, medium_towards(v, direction), distance, nanometres, lit);
                 }
@@ -158,7 +158,7 @@ FN_LARGE Spectrum join_vertices(IN(WorldRecord) world, IN(BidirVertex) v, IN(Bid
                                   (merging.merge + l.ways.meet + l.ways.join * square_of_density(into.back));
                 Float by_light = square_of_density(into.density * forth.cosine / distance_2) *
                                  (merging.merge + v.ways.meet + v.ways.join * square_of_density(forth.back));
-                Float weight = passes / (Float(1.0f) + by_camera + by_light);
+                Spectrum weight = passes / (Float(1.0f) + by_camera + by_light);
                 Mask single = either(either(v.single, l.single), either(forth.single, into.single));
                 found = select(lit, first_alone(brought * weight, single), found);
             }
@@ -219,9 +219,9 @@ FN_LARGE FilmSplat join_camera(IN(WorldRecord) world, IN(BidirVertex) l, IN(Subp
         if (some(going)) {
             tally.shadow += lanes_in(going);
             Ray shadow = ray_between(l, sight.direction, l.position + sight.direction * sight.distance);
-            Float passes = passing_light(world, shadow, going);
-            Mask lit = both(going, passes > Float(0.0f));
-            Spectrum brought = l.throughput * forth.value * (sight.density * passes / light_paths);
+            Spectrum passes = passing_light(world, shadow, sub.path.nanometres, going);
+            Mask lit = without(going, is_black(passes));
+            Spectrum brought = l.throughput * forth.value * (passes * (sight.density / light_paths));
             if (world.has_transparency != 0) {
                 brought = brought * left_of_light(world, medium_towards(l, sight.direction), sight.distance, sub.path.nanometres, lit);
             }
@@ -271,9 +271,9 @@ FN_LARGE FilmSplat join_light_to_camera(IN(WorldRecord) world, IN(LightStart) st
         shadow.direction = select(far, -start.emission.direction, shadow.direction);
         shadow.reach = select(far, Float(FAR), shadow.reach);
         tally.shadow += lanes_in(going);
-        Float passes = passing_light(world, shadow, going);
-        Mask lit = both(going, passes > Float(0.0f));
-        Float weight = select(far, of_sky, of_lamp) * passes / light_paths;
+        Spectrum passes = passing_light(world, shadow, sub.path.nanometres, going);
+        Mask lit = without(going, is_black(passes));
+        Spectrum weight = passes * (select(far, of_sky, of_lamp) / light_paths);
         splat.film = vec2_of(select(far, sky.film.x, sight.film.x), select(far, sky.film.y, sight.film.y));
         splat.light = select(lit, radiance * weight, splat.light);
         splat.valid = without(lit, is_black(splat.light));

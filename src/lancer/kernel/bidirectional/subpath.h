@@ -110,7 +110,8 @@ FN_LARGE void meet_vertex(IN(WorldRecord) world, int depth, bool from_light, INO
     ray.direction = sub.path.direction;
     ray.reach = Float(FAR);
     Float passed = Float(0.0f);
-    Hit hit = closest_there(world, sub.path.numbers, DECISION_LAYERS + depth * DECISIONS_OF_LAYERS, sub.path.alive, ray, passed);
+    Hit hit = closest_there(world, sub.path.numbers, DECISION_LAYERS + depth * DECISIONS_OF_LAYERS, sub.path.nanometres, sub.path.alive,
+                            ray, passed, sub.path.throughput);
     Mask here = both(sub.path.alive, is_above(hit.object, Int(-1)));
     met.here = here;
     met.missed = without(sub.path.alive, here);
@@ -151,6 +152,9 @@ FN_LARGE void meet_vertex(IN(WorldRecord) world, int depth, bool from_light, INO
             v.frame = frame_along(shading, met.surface.point.along_u);
         }
         v.wo = to_local(v.frame, view);
+        if (world.has_own_coats != 0) {
+            met.surface.closure.coat_normal = seen_coat(met.surface, v.frame, v.normal, view);
+        }
         met.cosine = max(abs(dot(view, v.normal)), Float(1.0e-12f));
         Mask clear = either(body, both(here, thin));
         Media beyond = sub.path.media;
@@ -161,6 +165,7 @@ FN_LARGE void meet_vertex(IN(WorldRecord) world, int depth, bool from_light, INO
         v.disperses = v.closure.disperses;
         v.closure.disperses = nowhere();  // both halves must agree on who gives up which wavelengths: see `single`
         v.sheet = either(thin, v.closure.thin);
+        v.pane = met.surface.pane;
         v.front = front;
         v.behind = select(v.sheet, front, beyond.first);
         if (from_light) {
@@ -195,6 +200,7 @@ FN_LARGE void scatter_subpath(IN(WorldRecord) world, int depth, bool from_light,
                               IN(MergeWeights) merging, INOUT(Subpath) sub) {
     Mask going = sub.path.alive;
     Vec2 choice = decide(sub.path, depth, DECISION_CHOICE);
+    choice.y = select(v.pane, Float(0.0f), choice.y);  // it would have been passed: it mirrors
     BsdfSample next = bsdf_sample(world, v.closure, v.wo, choice.y, decide(sub.path, depth, DECISION_DIRECTION), going);
     Vec3 direction = normalize(to_world(v.frame, next.wi));
     Float rises = dot(direction, v.normal);
@@ -323,7 +329,7 @@ FN Subpath start_from_light(IN(WorldRecord) world, UInt number, Vec4 nanometres,
         back.origin = sub.path.origin;
         back.direction = -start.emission.direction;
         back.reach = Float(FAR);
-        Float passes = passing_light(world, back, far);
+        Spectrum passes = passing_light(world, back, nanometres, far);
         sub.path.throughput = select(far, sub.path.throughput * passes, sub.path.throughput);
     }
     sub.path.radiance = black();

@@ -29,6 +29,7 @@ struct BidirVertex {
     Int front;   // the media on the subpath's side of the surface
     Int behind;  // and on the other
     Mask sheet;  // nothing is bent on its way through
+    Mask pane;   // met only where it mirrors
     Mask disperses;
     Mask single;  // the subpath has given up all wavelengths but the first
     Mask valid;   // there is a vertex, and it can be joined to others

@@ -22,6 +22,7 @@ struct Closure {
     Float coat;
     Float coat_roughness;
     Float coat_index;
+    Vec3 coat_normal;
     Float sheen_roughness;
     Spectrum film;  // thickness over wavelength, 0: none
     Float film_index;
@@ -32,6 +33,8 @@ struct Closure {
     Mask saturates;
     Mask thin;
 };
+
+FN Mask all_or_none(bool yes) { return Float(yes ? 1.0f : 0.0f) > Float(0.5f); }
 
 FN Mask nowhere() { return Float(1.0f) < Float(0.0f); }
 
@@ -49,6 +52,7 @@ FN Closure no_closure() {
     c.coat = Float(0.0f);
     c.coat_roughness = Float(0.0f);
     c.coat_index = Float(1.5f);
+    c.coat_normal = vec3_of(Float(0.0f), Float(0.0f), Float(1.0f));
     c.sheen_roughness = Float(0.0f);
     c.film = black();
     c.film_index = Float(1.0f);
@@ -77,6 +81,7 @@ FN Closure select_closure(Mask mask, IN(Closure) a, IN(Closure) b) {
     c.coat = select(mask, a.coat, b.coat);
     c.coat_roughness = select(mask, a.coat_roughness, b.coat_roughness);
     c.coat_index = select(mask, a.coat_index, b.coat_index);
+    c.coat_normal = select(mask, a.coat_normal, b.coat_normal);
     c.sheen_roughness = select(mask, a.sheen_roughness, b.sheen_roughness);
     c.film = select(mask, a.film, b.film);
     c.film_index = select(mask, a.film_index, b.film_index);

@@ -132,8 +132,7 @@ FN BsdfSample dielectric_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, F
 
 FN BsdfSample thin_dielectric_sample(IN(Closure) c, Vec3 wo, Float choice) {
     BsdfSample s = no_sample();
-    Spectrum once = fresnel_spectrum(wo.z, c.index);
-    Spectrum share = once * Float(2.0f) / (vec4_all(Float(1.0f)) + once);  // r + t r t + t r^3 t + ... with t = 1 - r
+    Spectrum share = pane_spectrum(wo.z, c.index);
     Float chance = mean(share);
     Mask reflects = choice < chance;
     s.wi = select(reflects, vec3_of(-wo.x, -wo.y, wo.z), -wo);

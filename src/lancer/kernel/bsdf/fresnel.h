@@ -37,6 +37,12 @@ FN Spectrum fresnel_spectrum(Float cosine, Spectrum eta) {
     return r;
 }
 
+// What a pane reflects of all the light that goes to and fro inside of it: r + t r t + t r^3 t + ... with t = 1 - r.
+FN Spectrum pane_spectrum(Float cosine, Spectrum eta) {
+    Spectrum once = fresnel_spectrum(cosine, eta);
+    return once * Float(2.0f) / (vec4_all(Float(1.0f)) + once);
+}
+
 NAMESPACE_END
 
 #endif

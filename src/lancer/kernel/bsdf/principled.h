@@ -11,6 +11,7 @@
 #include "lancer/kernel/bsdf/film.h"
 #include "lancer/kernel/bsdf/plastic.h"
 #include "lancer/kernel/bsdf/sheen.h"
+#include "lancer/kernel/frame.h"
 
 NAMESPACE_BEGIN
 
@@ -134,6 +135,25 @@ struct PrincipledParts {
     Float clear_chance;  // the rest: plastic
 };
 
+// A direction as the coat has it: z is along its own normal.
+FN Vec3 towards_coat(IN(Closure) c, Vec3 w) {
+    Vec3 local = w;
+    Mask bent = c.coat_normal.z < Float(1.0f);
+    if (some(bent)) {
+        local = select(bent, to_local(frame_around(c.coat_normal), w), local);
+    }
+    return local;
+}
+
+FN Vec3 from_coat(IN(Closure) c, Vec3 w) {
+    Vec3 outside = w;
+    Mask bent = c.coat_normal.z < Float(1.0f);
+    if (some(bent)) {
+        outside = select(bent, to_world(frame_around(c.coat_normal), w), outside);
+    }
+    return outside;
+}
+
 FN PrincipledParts principled_parts(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Mask mask) {
     PrincipledParts p;
     p.coat = coat_of(c.coat_index, ggx_facets(c.coat_roughness), c.coat_roughness >= Float(SMOOTH));
@@ -146,7 +166,7 @@ FN PrincipledParts principled_parts(IN(WorldRecord) world, IN(Closure) c, Vec3 w
     }
     Mask coated = both(mask, c.coat > Float(0.0f));
     if (some(coated)) {
-        p.coat_out = select(coated, coat_albedo(world, p.coat, wo, coated), p.coat_out);
+        p.coat_out = select(coated, coat_albedo(world, p.coat, towards_coat(c, wo), coated), p.coat_out);
     }
     Float under_sheen = Float(1.0f) - largest(c.sheen) * min(p.sheen_out, Float(1.0f));
     Float coat = c.coat * p.coat_out * under_sheen;
@@ -179,7 +199,7 @@ FN Vec2 principled_layers(IN(WorldRecord) world, IN(Closure) c, IN(PrincipledPar
     }
     Mask coated = both(mask, c.coat > Float(0.0f));
     if (some(coated)) {
-        Float most = max(p.coat_out, coat_albedo(world, p.coat, wi, coated));
+        Float most = max(p.coat_out, coat_albedo(world, p.coat, towards_coat(c, wi), coated));
         coat_left = select(coated, Float(1.0f) - c.coat * most, coat_left);
     }
     return vec2_of(sheen_left, coat_left);
@@ -216,7 +236,10 @@ FN BsdfValue principled_parts_value(IN(WorldRecord) world, IN(Closure) c, IN(Pri
     Mask above = both(both(mask, p.outside), both(reflects, wo.z > Float(0.0f)));
     Mask coated = both(above, c.coat > Float(0.0f));
     if (some(coated)) {
-        Vec2 m = coat_value(p.coat, wo, wi);
+        Vec3 o = towards_coat(c, wo);
+        Vec3 i = towards_coat(c, wi);
+        coated = both(coated, both(o.z > Float(0.0f), i.z > Float(0.0f)));
+        Vec2 m = coat_value(p.coat, o, i);
         v.value = select(coated, v.value + vec4_all(m.x * c.coat * layers.x), v.value);
         v.density = select(coated, v.density + m.y * p.coat_chance, v.density);
     }
@@ -250,8 +273,9 @@ FN BsdfSample principled_sample(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, F
 
     Mask coated = both(left_over, choice < before + p.coat_chance);
     if (some(coated)) {
-        Vec3 m = select(p.coat.rough, facets_visible_normal(p.coat.facets, wo, u), vec3_of(Float(0.0f), Float(0.0f), Float(1.0f)));
-        s.wi = select(coated, m * (Float(2.0f) * dot(wo, m)) - wo, s.wi);
+        Vec3 o = towards_coat(c, wo);
+        Vec3 m = select(p.coat.rough, facets_visible_normal(p.coat.facets, o, u), vec3_of(Float(0.0f), Float(0.0f), Float(1.0f)));
+        s.wi = select(coated, from_coat(c, m * (Float(2.0f) * dot(o, m)) - o), s.wi);
         s.weight = select(coated, vec4_all(p.coat_out), s.weight);
         s.discrete = without(coated, p.coat.rough);
         s.valid = either(s.valid, both(coated, s.wi.z > Float(0.0f)));

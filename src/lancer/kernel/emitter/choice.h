@@ -30,7 +30,8 @@ FN Float emitter_weight(IN(EmitterRecord) emitter, Vec3 from, Vec3 facing) {
         Float seen = select(rises > Float(0.0f), max(rises, Float(LEAST_SLANT)), Float(0.0f));
         weight = select(sided, weight * seen, weight);
         if (emitter.kind == EMITTER_SPOT) {
-            weight = weight * spot_share(-dot(towards, broadcast(emitter.direction)) / distance, emitter.cos_outer, emitter.cos_inner);
+            Float cosine = -dot(towards, broadcast(emitter.direction)) / distance;
+            weight = weight * spot_share(cosine, emitter.cos_outer, emitter.cos_inner, emitter.fade);
         }
         if (is_thrown(emitter)) {
             Float cosine = -dot(towards, broadcast(emitter.direction)) / distance;

@@ -32,7 +32,7 @@ FN Spectrum emitted_light(IN(WorldRecord) world, IN(EmitterRecord) emitter, IN(E
         }
         if (emitter.kind == EMITTER_SPOT) {
             Float cosine = -dot(s.direction, broadcast(emitter.direction));
-            light = light * spot_share(cosine, emitter.cos_outer, emitter.cos_inner);
+            light = light * spot_share(cosine, emitter.cos_outer, emitter.cos_inner, emitter.fade);
         }
         if (is_thrown(emitter)) {
             light = light * thrown_share(world, emitter, -s.direction, mask);

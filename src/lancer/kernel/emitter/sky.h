@@ -13,10 +13,7 @@ NAMESPACE_BEGIN
 
 // Where a direction lies in the image: x from the left, 0 to 1, y from the top.
 FN Vec2 sky_place(IN(SkyRecord) sky, Vec3 direction) {
-    Vec3 d = direction;
-    if (sky.tilted != 0) {
-        d = vec3_of(dot(direction, broadcast(sky.x_axis)), dot(direction, broadcast(sky.y_axis)), dot(direction, broadcast(sky.z_axis)));
-    }
+    Vec3 d = within_sky(sky, direction);
     Float x = fraction(angle_of(d.x, -d.z) * Float(0.5f / PI) + Float(sky.turn) + Float(0.5f));
     Float ring = sqrt(max(d.x * d.x + d.z * d.z, Float(0.0f)));
     return vec2_of(x, Float(0.5f) - angle_of(d.y, ring) * Float(1.0f / PI));
@@ -61,10 +58,11 @@ FN Spectrum sky_radiance(IN(WorldRecord) world, Vec3 direction, Vec4 nanometres,
         Spectrum nadir = color_value(world, world.sky.nadir, nowhere, nanometres, mask);
         radiance = horizon + (select(direction.y < Float(0.0f), nadir, zenith) - horizon) * abs(direction.y);
     } else if (world.sky.kind == SKY_MODEL) {
-        radiance = world.spectral != 0 ? model_radiance(world, direction, nanometres, mask) : rgb_value(sky_color(world, direction, mask));
+        Vec3 own = within_sky(world.sky, direction);
+        radiance = world.spectral != 0 ? model_radiance(world, own, nanometres, mask) : rgb_value(sky_color(world, direction, mask));
         if (world.sky.sun_chord > 0.0f) {
             Spectrum sun = color_value(world, world.sky.sun_light, nowhere, nanometres, mask);
-            radiance = select(is_in_sun(world.sky, direction), radiance + sun, radiance);
+            radiance = select(is_in_sun(world.sky, own), radiance + sun, radiance);
         }
     }
     return radiance;
@@ -106,11 +104,7 @@ FN SkySample texel_sample(IN(WorldRecord) world, Vec2 u, Mask mask) {
         Float sine = sqrt(max(Float(1.0f) - cosine * cosine, Float(0.0f)));
         Float x = (to_float(column) + along) * Float(1.0f / float(world.sky.width));
         Vec2 around = on_circle(fraction(x - Float(world.sky.turn) + Float(0.5f)));
-        s.direction = vec3_of(around.y * sine, cosine, -around.x * sine);
-        if (world.sky.tilted != 0) {
-            s.direction = broadcast(world.sky.x_axis) * s.direction.x + broadcast(world.sky.y_axis) * s.direction.y +
-                          broadcast(world.sky.z_axis) * s.direction.z;
-        }
+        s.direction = out_of_sky(world.sky, vec3_of(around.y * sine, cosine, -around.x * sine));
         s.density = texel_density(world, row, column, mask);
     } else {
         s.direction = on_sphere(u);
@@ -128,7 +122,8 @@ FN Float sky_density(IN(WorldRecord) world, Vec3 direction, Mask mask) {
         density = texel_density(world, round_to_int(row), round_to_int(column), mask);
     }
     if (world.sky.sun_share > 0.0f) {
-        Float sun = select(is_in_sun(world.sky, direction), Float(1.0f / PI) / Float(world.sky.sun_chord), Float(0.0f));
+        Float sun =
+            select(is_in_sun(world.sky, within_sky(world.sky, direction)), Float(1.0f / PI) / Float(world.sky.sun_chord), Float(0.0f));
         density = density + (sun - density) * Float(world.sky.sun_share);
     }
     return density;
@@ -143,7 +138,7 @@ FN SkySample sky_sample(IN(WorldRecord) world, Vec2 u, Mask mask) {
         Float rest = select(on_sun, u.x / share, (u.x - share) / (Float(1.0f) - share));
         Vec2 left = vec2_of(min(clamp01(rest), Float(0.99999994f)), u.y);
         s = texel_sample(world, left, mask);
-        s.direction = select(on_sun, sun_direction(world.sky, left), s.direction);
+        s.direction = select(on_sun, out_of_sky(world.sky, sun_direction(world.sky, left)), s.direction);
         s.density = sky_density(world, s.direction, mask);
     } else {
         s = texel_sample(world, u, mask);

@@ -10,6 +10,24 @@
 
 NAMESPACE_BEGIN
 
+// A direction along the sky's own axes: y is up. And back.
+FN Vec3 within_sky(IN(SkyRecord) sky, Vec3 direction) {
+    Vec3 d = direction;
+    if (sky.tilted != 0) {
+        d = vec3_of(dot(direction, broadcast(sky.x_axis)), dot(direction, broadcast(sky.y_axis)), dot(direction, broadcast(sky.z_axis)));
+    }
+    return d;
+}
+
+FN Vec3 out_of_sky(IN(SkyRecord) sky, Vec3 direction) {
+    Vec3 d = direction;
+    if (sky.tilted != 0) {
+        d = broadcast(sky.x_axis) * direction.x + broadcast(sky.y_axis) * direction.y + broadcast(sky.z_axis) * direction.z;
+    }
+    return d;
+}
+
+// All that follows is along the sky's own axes.
 FN Mask is_in_sun(IN(SkyRecord) sky, Vec3 direction) {
     Vec3 off = direction - broadcast(sky.sun);
     return both(dot(off, off) <= Float(sky.sun_chord), direction.y > Float(0.0f));

@@ -46,7 +46,7 @@ FN Mask bends_nothing(IN(WorldRecord) world, Int material, Mask mask) {
     while (some(todo)) {
         int number = first_of(material, todo);
         Mask mine = both(todo, is_equal(material, Int(number)));
-        if (AT(world.media, number).refraction == REFRACTION_NONE) {
+        if (AT(world.media, number).refraction == REFRACTION_NONE || (AT(world.surfaces, number).flags & MATERIAL_BOUNDS) != 0) {
             null_body = either(null_body, mine);
         }
         todo = without(todo, mine);
@@ -54,7 +54,7 @@ FN Mask bends_nothing(IN(WorldRecord) world, Int material, Mask mask) {
     return null_body;
 }
 
-// The body whose refractive index fills the place: the first that is not closed in by a null border.
+// The body whose refractive index fills the place: the first that is not closed in by a null border or a pane.
 FN Int bending_body(IN(WorldRecord) world, IN(Media) media, Mask mask) {
     Int body = media.first;
     Mask todo = bends_nothing(world, body, mask);

@@ -1,4 +1,4 @@
-// Straight on through media and through the borders between them that bend nothing: null ones, and those of bodies that lie within another body
+// Straight on through media and through the borders between them that bend nothing: null ones, panes, and those of bodies that lie within another body
 // of higher priority.
 #ifndef LANCER_KERNEL_VOLUME_PASSAGE_H
 #define LANCER_KERNEL_VOLUME_PASSAGE_H
@@ -17,6 +17,9 @@ const int MOST_BORDERS = 256;  // that one ray passes; beyond there is nothing
 
 struct Crossing {
     Mask open;  // the ray goes straight on
+    Mask pane;  // but for what is mirrored, with the chance `mirrored`
+    Float mirrored;
+    Spectrum passes;  // of a pane's light
     Mask inside;
     Int material;
     Vec3 position;
@@ -24,9 +27,12 @@ struct Crossing {
     Vec3 normal;
 };
 
-FN Crossing meet_border(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, IN(Media) media, Mask met) {
+FN Crossing meet_border(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, IN(Media) media, Vec4 nanometres, Mask met) {
     Crossing c;
     c.open = without(met, met);
+    c.pane = c.open;
+    c.mirrored = Float(0.0f);
+    c.passes = vec4_all(Float(1.0f));
     c.inside = c.open;
     c.material = Int(-1);
     c.position = ray.origin;
@@ -40,11 +46,18 @@ FN Crossing meet_border(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, IN(Medi
         MaterialRecord material = AT(world.surfaces, object.material);
         bool is_null = material.kind == BSDF_NULL;
         bool is_body = world.has_priorities != 0 && (material.flags & MATERIAL_BODY) != 0;
-        if (is_null || is_body) {
-            SurfacePoint s = object_surface(world, object, ray, hit, mine);
+        bool is_pane = (material.flags & MATERIAL_BOUNDS) != 0;
+        if (is_null || is_body || is_pane) {
+            SurfacePoint s = textured_surface(world, object, is_pane ? material.flags : 0, ray, hit, Float(0.0f), mine);
             Mask inside = both(mine, dot(s.normal, ray.direction) > Float(0.0f));
             Mask open = mine;
-            if (!is_null) {
+            if (is_pane) {
+                Spectrum share = pane_share(world, object.material, s, ray.direction, nanometres, mine);
+                Spectrum passes = color_value(world, material.color, s, nanometres, mine) * (vec4_all(Float(1.0f)) - share);
+                c.mirrored = select(mine, mean(share), c.mirrored);
+                c.passes = select(mine, passes, c.passes);
+                c.pane = either(c.pane, mine);
+            } else if (!is_null) {
                 Media beyond = entered_in_order(world, media, Int(object.material), mine);
                 Mask under = is_inside(media, Int(object.material));
                 Mask covered = without(under, is_equal(media.first, Int(object.material)));
@@ -103,7 +116,8 @@ FN_LARGE Passage pass_media(IN(WorldRecord) world, IN(Sampler) numbers, int dept
     for (int i = 0; i < MOST_BORDERS && some(todo); ++i) {
         Ray ray = p.ray;
         Float passed = Float(0.0f);
-        Hit hit = closest_there(world, numbers, layers, todo, ray, passed);
+        Hit hit = closest_there(world, numbers, layers, nanometres, todo, ray, passed, p.throughput);
+        int last_layer = layers + DECISIONS_OF_LAYERS - 1;
         layers = DECISION_FLIGHT + depth * DECISIONS_OF_FLIGHT + DECISIONS_OF_FLIGHT / 2 + i * DECISIONS_OF_LAYERS;
         Mask met = both(todo, is_above(hit.object, Int(-1)));
         Float way = select(met, passed + hit.t, Float(FAR));
@@ -121,8 +135,15 @@ FN_LARGE Passage pass_media(IN(WorldRecord) world, IN(Sampler) numbers, int dept
             todo = without(without(todo, f.scattered), both(filled, is_black(p.throughput)));
             met = both(met, todo);
         }
-        Crossing c = meet_border(world, ray, hit, p.media, met);
+        Crossing c = meet_border(world, ray, hit, p.media, nanometres, met);
         Mask crosses = both(met, c.open);
+        Mask panes = both(crosses, c.pane);
+        if (some(panes)) {
+            Vec2 u = sample_pair(numbers, UInt(uint(last_layer)));
+            panes = both(panes, u.x >= c.mirrored);
+            crosses = either(without(crosses, c.pane), panes);
+            p.throughput = select(panes, p.throughput * c.passes / max(Float(1.0f) - c.mirrored, Float(SMALLEST)), p.throughput);
+        }
         Mask ends = without(met, crosses);
         p.hit.t = select(ends, hit.t, p.hit.t);
         p.hit.object = select(ends, hit.object, p.hit.object);
@@ -156,11 +177,12 @@ FN_LARGE Spectrum passing_spectrum(IN(WorldRecord) world, IN(Ray) shadow, IN(Med
     for (int i = 0; i < MOST_BORDERS && some(todo); ++i) {
         Hit hit = closest_hit(world, ray, todo);
         Mask met = both(todo, is_above(hit.object, Int(-1)));
-        Crossing c = meet_border(world, ray, hit, around, met);
+        Crossing c = meet_border(world, ray, hit, around, nanometres, met);
         Mask stops = without(met, c.open);
+        share = select(both(met, c.pane), share * c.passes, share);
         if (world.has_cuts != 0 && some(stops)) {
-            CutLayer layer = meet_layer(world, ray, hit, stops);
-            share = select(stops, share * (Float(1.0f) - layer.opacity), share);
+            CutLayer layer = meet_layer(world, ray, hit, nanometres, stops);
+            share = select(stops, share * passing_layer(layer), share);
             c.position = select(stops, layer.position, c.position);
             c.error = select(stops, layer.error, c.error);
             c.normal = select(stops, layer.normal, c.normal);
