@@ -54,13 +54,7 @@ public:
             }
             left_.resize(kept);
         }
-        const FilmSums* sums = state_.sums();
-        if (sums != nullptr && sums->splats() != nullptr) {
-            // What fell on a pixel after its own last sample.
-            for (std::size_t i = 0; i < state_.film().radiance.size(); ++i) {
-                state_.film().radiance[i] = sums->mean(i);
-            }
-        }
+        state_.show_splats();  // what fell on a pixel after its own last sample
     }
 
     RenderStatistics statistics() const {
