@@ -65,6 +65,7 @@ std::optional<double> place_in_picture(double nanometres, const std::string& int
     scene->background = {};
     for (scene::Material& material : scene->materials) {
         material.emission.reset();
+        material.interior.reset();
     }
     scene::SpotLight beam;
     beam.position = {-1.6, 0.03, beam_z};

@@ -30,6 +30,7 @@ struct Kind {
     bool adaptive = false;
     int spp = 0;
     FilmLayers layers;
+    std::string integrator = {};  // other than the scene's
 };
 
 // A film with all that belongs to it.
@@ -48,6 +49,10 @@ struct Whole {
             state->save(tile, all);
         }
         all.put_all(std::span<const glm::vec3>(film.radiance));
+        if (sums && sums->splats() != nullptr) {
+            all.put(sums->splats()->paths());
+            all.put_all(sums->splats()->words());
+        }
         return all.bytes();
     }
 
@@ -75,6 +80,9 @@ protected:
         ASSERT_TRUE(scene);
         scene->settings.width = width;
         scene->settings.height = height;
+        if (!GetParam().integrator.empty()) {
+            scene->settings.integrator = GetParam().integrator;
+        }
         device_ = make_cpu_device(compile_world(*scene, scene->cameras.front(), diagnostics), {});
         options_.width = width;
         options_.height = height;
@@ -108,6 +116,7 @@ protected:
         EXPECT_EQ(file.about().list("list").size(), 2u);
         EXPECT_EQ(file.shape(), shape_of(*to.state));
         file.add_to(*to.state);
+        to.state->show_splats();
     }
 
     std::unique_ptr<Device> device_;
@@ -144,10 +153,13 @@ TEST_P(Shared, StoppedAndResumedIsTheWhole) {
         Whole next = fresh();
         through_file(film, next);
         EXPECT_TRUE(next.bytes() == film.bytes() || !finished);
-        film.film = next.film;
-        film.sums = std::move(next.sums);
+        film.film = Film(width, height);
+        if (film.sums) {
+            film.sums.emplace(width, height, GetParam().layers);
+        }
         film.state.emplace(film.film, film.sums ? &*film.sums : nullptr, tile_size_for(options_));
         FilmFile(file_).add_to(*film.state);
+        film.state->show_splats();
     }
     EXPECT_GT(stops, 2);
     EXPECT_TRUE(film.bytes() == whole);
@@ -157,9 +169,60 @@ INSTANTIATE_TEST_SUITE_P(
     Golden, Shared,
     testing::Values(Kind{"Whitted", "report/figure-1.toml", false, 0, {}}, Kind{"WhittedAdaptive", "report/figure-1.toml", true, 0, {}},
                     Kind{"Paths", "gallery/cornell-box.toml", false, 19, {}},
-                    Kind{"PathsWithEverything", "gallery/cornell-box.toml", false, 5, {true, true, true, true, 7}},
-                    Kind{"PathsWithAGoal", "gallery/cornell-box.toml", false, 192, {false, false, false, false, 0, true, 5.0}}),
+                    Kind{"PathsWithEverything", "gallery/cornell-box.toml", false, 5, {true, true, true, true, 7}, ""},
+                    Kind{"PathsWithAGoal", "gallery/cornell-box.toml", false, 192, {false, false, false, false, 0, true, 5.0}, ""},
+                    Kind{"BothEnds", "gallery/cornell-box.toml", false, 5, {false, false, true, true, 0, false, 0.0, true}, "bdpt"},
+                    Kind{"Photons", "gallery/cornell-box.toml", false, 3, {false, false, false, false, 0, false, 0.0, true}, "vcm"}),
     [](const auto& one) { return one.param.name; });
+
+// Splats can't be told apart by tiles: who has all of a film's work needs nothing of it, and films that each have more of something are refused.
+TEST(SplatFilms, OverlapOnlyWhereOneHasAllOfTheOther) {
+    Diagnostics diagnostics;
+    std::optional<scene::Scene> scene = import_scene(LANCER_SOURCE_FOLDER "/scenes/gallery/cornell-box.toml", diagnostics);
+    ASSERT_TRUE(scene);
+    RenderOptions options;
+    options.width = scene->settings.width = 70;
+    options.height = scene->settings.height = 40;
+    options.spp = 4;
+    scene->settings.integrator = "bdpt";
+    const auto device = make_cpu_device(compile_world(*scene, scene->cameras.front(), diagnostics), {});
+    FilmLayers layers;
+    layers.splats = true;
+    const std::string folder = (std::filesystem::temp_directory_path() / ("lancer-splats-" + std::to_string(::getpid()))).string();
+    std::filesystem::create_directories(folder);
+    const auto write = [&](const std::string& name, int shard, int shards, int spp) {
+        RenderOptions part = options;
+        part.shard = shard;
+        part.shards = shards;
+        part.spp = spp;
+        Whole film(options, layers);
+        render(*device, part, *film.state);
+        write_film_file(folder + "/" + name, {}, *film.state);
+    };
+    write("half", 1, 2, 4);
+    write("half-begun", 1, 2, 2);
+    write("rest", 2, 2, 4);
+    write("third", 1, 3, 4);
+    Whole whole(options, layers);
+    render(*device, options, *whole.state);
+    for (const std::vector<std::string>& order : {std::vector<std::string>{"half", "rest"},
+                                                  {"half-begun", "rest", "half"},
+                                                  {"half", "half-begun", "half", "rest", "rest"},
+                                                  {"rest", "half-begun", "half-begun", "half", "half-begun"}}) {
+        Whole merged(options, layers);
+        for (const std::string& name : order) {
+            FilmFile(folder + "/" + name).add_to(*merged.state);
+        }
+        merged.state->show_splats();
+        EXPECT_TRUE(merged.bytes() == whole.bytes()) << order.front() << ", " << order.size() << " films";
+    }
+    Whole merged(options, layers);
+    FilmFile(folder + "/half").add_to(*merged.state);
+    const std::string before = merged.bytes();
+    EXPECT_THROW(FilmFile(folder + "/third").add_to(*merged.state), FilmDamaged);
+    EXPECT_TRUE(merged.bytes() == before);
+    std::filesystem::remove_all(folder);
+}
 
 TEST(Samples, MoreLaterAreTheSameAsMoreAtOnce) {
     Diagnostics diagnostics;

@@ -46,8 +46,7 @@ TEST(Integrator, ThatIsAskedForIsTaken) {
 
 TEST(Integrator, IsNeverOneThatCantRenderTheScene) {
     for (const auto& spoil : {+[](Scene& s) { s.materials[0].open_behind = true; }, +[](Scene& s) { s.settings.glossy_bounces = 2; },
-                              +[](Scene& s) { s.settings.aovs = {"albedo"}; }, +[](Scene& s) { s.medium = 0; },
-                              +[](Scene& s) { s.materials[1].interior = 0; }, +[](Scene& s) { s.materials[1].priority = 2; }}) {
+                              +[](Scene& s) { s.settings.aovs = {"variance"}; }, +[](Scene& s) { s.settings.spectral_bins = 4; }}) {
         Scene scene = physical(true, true);
         spoil(scene);
         const IntegratorChoice choice = choose_integrator(scene);
@@ -56,6 +55,34 @@ TEST(Integrator, IsNeverOneThatCantRenderTheScene) {
         EXPECT_FALSE(choice.why.empty());
     }
     EXPECT_TRUE(obstacles(physical(true, true), "vcm").empty());
+}
+
+TEST(Integrator, ThatStartsAtLampsMakesWhatIsSeenFirst) {
+    Scene scene = physical(true, true);
+    scene.settings.aovs = {"albedo", "object_id", "samples"};
+    EXPECT_EQ(choose_integrator(scene).name, "vcm");
+    EXPECT_EQ(lacking(scene, "bdpt"), "");
+    EXPECT_EQ(lacking(scene, "light"), "the AOV albedo");
+    scene.settings.aovs = {"direct"};
+    EXPECT_EQ(lacking(scene, "bdpt"), "the AOV direct");
+    EXPECT_EQ(lacking(scene, "path"), "");
+}
+
+TEST(Integrator, JoinsNothingInThickMedia) {
+    Scene scene = physical(true, true);
+    scene.media.emplace_back();
+    EXPECT_EQ(choose_integrator(scene).name, "vcm");
+    scene.settings.bounces = 64;
+    EXPECT_EQ(choose_integrator(scene).name, "path");
+}
+
+TEST(Integrator, OfLightAloneFindsNoGlow) {
+    Scene scene = physical(false, false);
+    scene.media.emplace_back();
+    EXPECT_TRUE(obstacles(scene, "light").empty());
+    scene.media[0].emission = Rgb(0.5);
+    EXPECT_FALSE(obstacles(scene, "light").empty());
+    EXPECT_TRUE(obstacles(scene, "bdpt").empty());
 }
 
 TEST(Integrator, OfLightAloneNeedsAPlaceToBegin) {

@@ -165,9 +165,10 @@ PictureContents contents_of(const scene::Scene& scene, Diagnostics& diagnostics)
     }
     contents.spectral_bins = scene.settings.spectral_bins;
     contents.wide = scene.settings.wide;
-    if (scene::starts_at_lamps(scene::chosen_integrator(scene)) && (!contents.aovs.empty() || contents.spectral_bins > 0)) {
-        diagnostics.error({}, "--aov and --spectral-bins are for paths from the camera: --integrator path has them");
-    } else if (scene::chosen_integrator(scene) != "path" && (!contents.aovs.empty() || contents.spectral_bins > 0)) {
+    const std::string integrator = scene::chosen_integrator(scene);
+    if (const std::string lacks = scene::lacking(scene, integrator); !lacks.empty()) {
+        diagnostics.error({}, fmt::format("the {} integrator does not make {}; --integrator path does", integrator, lacks));
+    } else if (!scene::starts_at_lamps(integrator) && integrator != "path" && (!contents.aovs.empty() || contents.spectral_bins > 0)) {
         diagnostics.error(
             {},
             "--aov and --spectral-bins are for the path integrator, but this scene is rendered by Whitted's; --integrator path "

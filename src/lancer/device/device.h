@@ -70,7 +70,7 @@ public:
     virtual void trace_paths(const PathRange& range, const PathSamples& samples, RayCounts& counts) const = 0;
 
     // Whether the world's integrator follows light from the lamps, too: then `samples` should have a place for splats, and of what else it may ask for
-    // only radiance is filled. A pixel of the picture is the mean of its samples plus its splats over the number of samples that each pixel has.
+    // only radiance and first hits are filled. A pixel of the picture is the mean of its samples plus its splats over the number of samples that each pixel has.
     virtual bool makes_splats() const { return false; }
 
     // Their radiance alone.

@@ -18,6 +18,7 @@ using namespace std::string_view_literals;
 constexpr std::string_view signature = "lancer film\r\n\x1a\n\0"sv;  // as PNG's: shows what text transfers do to it
 constexpr std::uint32_t format_version = 2;
 constexpr std::uint32_t end_mark = 0xffffffffu;
+constexpr std::uint32_t splats_mark = 0xfffffffeu;
 constexpr int largest_side = 65536;
 constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
 
@@ -32,7 +33,7 @@ std::string encode_head(const FilmAbout& about, const FilmShape& shape) {
     ByteWriter head;
     for (const int number :
          {shape.width, shape.height, shape.tile_size, int{shape.sums}, int{shape.layers.variance}, int{shape.layers.direct},
-          int{shape.layers.surface}, int{shape.layers.ids}, shape.layers.spectral_bins, int{shape.layers.runs}}) {
+          int{shape.layers.surface}, int{shape.layers.ids}, shape.layers.spectral_bins, int{shape.layers.splats}, int{shape.layers.runs}}) {
         head.put(std::int32_t{number});
     }
     head.put(shape.layers.clamp);
@@ -70,6 +71,7 @@ bool decode_head(std::string_view bytes, FilmAbout& about, FilmShape& shape) {
     shape.layers.surface = number() != 0;
     shape.layers.ids = number() != 0;
     shape.layers.spectral_bins = number();
+    shape.layers.splats = number() != 0;
     shape.layers.runs = number() != 0;
     head.get(shape.layers.clamp);
     for (std::uint64_t i = 0, n = count(); i < n && head.good(); ++i) {
@@ -96,6 +98,27 @@ void seal(std::uint32_t tile, std::uint32_t rounds, const std::string& payload, 
     record.put_text(payload);
     record.put(hash_bytes(record.bytes()));
 }
+
+// All of a film with splats at one moment.
+struct WholeFilm {
+    WholeFilm(const FilmState& state, const SplatSums& sums) {
+        const auto lock = state.lock_all();
+        for (std::size_t tile = 0; tile < state.tiles().size(); ++tile) {
+            ByteWriter bytes;
+            rounds.push_back(state.rounds(tile));
+            if (rounds.back() > 0) {
+                state.save(tile, bytes);
+            }
+            tiles.push_back(bytes.bytes());
+        }
+        splats.put(sums.paths());
+        splats.put_all(sums.words());
+    }
+
+    std::vector<std::uint32_t> rounds;
+    std::vector<std::string> tiles;
+    ByteWriter splats;
+};
 
 }  // namespace
 
@@ -130,20 +153,32 @@ std::uint64_t write_film_file(const std::string& path, const FilmAbout& about, c
     seal(format_version, 0, encode_head(about, shape_of(state)), record);
     write(record.bytes());
     std::uint32_t count = 0;
-    for (std::size_t tile = 0; tile < state.tiles().size(); ++tile) {
-        payload.clear();
-        std::uint32_t rounds = 0;
-        {
-            const auto lock = state.lock(tile);
-            rounds = state.rounds(tile);
-            if (rounds > 0) {
-                state.save(tile, payload);
-            }
-        }
+    const auto write_tile = [&](std::size_t tile, std::uint32_t rounds, const std::string& bytes) {
         if (rounds > 0) {
-            seal(static_cast<std::uint32_t>(tile), rounds, payload.bytes(), record);
+            seal(static_cast<std::uint32_t>(tile), rounds, bytes, record);
             write(record.bytes());
             ++count;
+        }
+    };
+    if (const SplatSums* splats = state.sums() != nullptr ? state.sums()->splats() : nullptr) {
+        const WholeFilm copy(state, *splats);
+        for (std::size_t tile = 0; tile < copy.tiles.size(); ++tile) {
+            write_tile(tile, copy.rounds[tile], copy.tiles[tile]);
+        }
+        seal(splats_mark, 0, copy.splats.bytes(), record);
+        write(record.bytes());
+    } else {
+        for (std::size_t tile = 0; tile < state.tiles().size(); ++tile) {
+            payload.clear();
+            std::uint32_t rounds = 0;
+            {
+                const auto lock = state.lock(tile);
+                rounds = state.rounds(tile);
+                if (rounds > 0) {
+                    state.save(tile, payload);
+                }
+            }
+            write_tile(tile, rounds, payload.bytes());
         }
     }
     seal(end_mark, count, "", record);
@@ -211,15 +246,43 @@ FilmFile::FilmFile(const std::string& path) : path_(path) {
             }
             return;
         }
-        records_.push_back(*record);
+        if (record->tile == splats_mark) {
+            splats_ = record->bytes;
+        } else {
+            records_.push_back(*record);
+        }
     }
 }
 
 void FilmFile::add_to(FilmState& state) const {
+    std::vector<std::uint32_t> rounds(state.tiles().size(), 0);
     for (const Record& record : records_) {
         if (record.tile >= state.tiles().size()) {
             throw FilmDamaged(fmt::format("{} is damaged: it holds a tile that the picture does not have", path_));
         }
+        rounds[record.tile] = record.rounds;
+    }
+    if (shape_.layers.splats) {
+        ByteReader reader(splats_);
+        std::uint64_t paths = 0;
+        std::vector<SplatSums::Fixed> words(state.sums()->splats()->words().size());
+        reader.get(paths);
+        reader.get_all(std::span(words));
+        if (!reader.good() || reader.left() != 0) {
+            throw FilmDamaged(fmt::format("{} is damaged: light that falls anywhere is missing", path_));
+        }
+        const FilmState::SplatsTaken taken = state.take_splats(words, paths, std::move(rounds));
+        if (taken == FilmState::SplatsTaken::mixed) {
+            throw FilmDamaged(fmt::format(
+                "{} can't be joined with the others: it has more of some parts of the picture and less of others, and light from the lamps "
+                "falls from each part on all",
+                path_));
+        }
+        if (taken == FilmState::SplatsTaken::known) {
+            return;
+        }
+    }
+    for (const Record& record : records_) {
         ByteReader bytes(record.bytes);
         if (record.rounds > state.rounds(record.tile) && !state.load(record.tile, record.rounds, bytes)) {
             throw FilmDamaged(fmt::format("{} is damaged: a tile makes no sense", path_));

@@ -1,7 +1,8 @@
 // Films as files: checkpoints, shares of a picture, and finished films that may get more samples later.
 //
-// A file is a head (what the film is of), then a record for each tile that has any work behind it, then an end. Head, records and end carry a
-// checksum each, so a file that was cut short or damaged is known for it. Numbers are little-endian; doubles are kept as they are.
+// A file is a head (what the film is of), then a record for each tile that has any work behind it, then the splats where there are any, then an end.
+// Head, records and end carry a checksum each, so a file that was cut short or damaged is known for it. Numbers are little-endian; doubles are kept as
+// they are.
 #pragma once
 
 #include <cstdint>
@@ -44,7 +45,7 @@ public:
 };
 
 // Writes beside `path` and renames; what stood there becomes `keep_as` if that is not empty. Takes the lock of one tile at a time, so others may
-// work on the film meanwhile. `durable`: waits for the disk. Returns the number of bytes. Throws MachineFailure.
+// work on the film meanwhile; where there are splats it holds them off until all has been copied. `durable`: waits for the disk. Returns the number of bytes. Throws MachineFailure.
 std::uint64_t write_film_file(const std::string& path, const FilmAbout& about, const FilmState& state, const std::string& keep_as = "",
                               bool durable = false);
 
@@ -57,7 +58,8 @@ public:
     const FilmAbout& about() const { return about_; }
     const FilmShape& shape() const { return shape_; }
 
-    // Puts the tiles into the state, which must have the file's shape, where it has more rounds behind them. Throws FilmDamaged.
+    // Puts the tiles into the state, which must have the file's shape, where it has more rounds behind them. Throws FilmDamaged, also where splats can't
+    // be joined. Who is done with adding has the state show its splats.
     void add_to(FilmState& state) const;
 
 private:
@@ -72,6 +74,7 @@ private:
     FilmAbout about_;
     FilmShape shape_;
     std::vector<Record> records_;
+    std::string_view splats_;
 };
 
 }  // namespace lancer

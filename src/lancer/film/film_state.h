@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <shared_mutex>
+#include <span>
 #include <vector>
 
 #include "lancer/film/bytes.h"
@@ -30,7 +32,13 @@ public:
     const std::vector<Tile>& tiles() const { return tiles_; }  // row by row
 
     // Whoever adds a round to a tile, or reads the tile's pixels meanwhile, holds its lock.
-    std::unique_lock<std::mutex> lock(std::size_t tile) const { return std::unique_lock(locks_[tile]); }
+    struct TileLock {
+        std::shared_lock<std::shared_mutex> film;
+        std::unique_lock<std::mutex> tile;
+    };
+    TileLock lock(std::size_t tile) const;
+    // Nobody holds a tile's lock meanwhile. For films with splats: those of a tile's rounds lie anywhere.
+    std::unique_lock<std::shared_mutex> lock_all() const;
     std::uint32_t rounds(std::size_t tile) const { return rounds_[tile]; }
     void add_round(std::size_t tile) { ++rounds_[tile]; }
 
@@ -39,13 +47,30 @@ public:
     // The other way round, in place of what there was. False where the bytes are not those of such a tile.
     bool load(std::size_t tile, std::uint32_t rounds, ByteReader& bytes);
 
+    // Splats of another film, which has so many rounds behind each of its tiles. They can't be told apart by tiles, so they are taken in whole: with
+    // them, those of films that have no more than that one of any tile which both have are given up. `known`: what there is has all of it already.
+    // `mixed`: each has more of some tile than the other has, and nothing was done.
+    enum class SplatsTaken { added, known, mixed };
+    SplatsTaken take_splats(std::span<const SplatSums::Fixed> words, std::uint64_t paths, std::vector<std::uint32_t> rounds);
+    // Makes the picture anew where splats were added to pixels that others have finished.
+    void show_splats();
+
 private:
+    // What was read from one film.
+    struct SplatPart {
+        std::unique_ptr<SplatSums> sums;
+        std::vector<std::uint32_t> rounds;  // of each tile
+    };
+
     Film& film_;
     FilmSums* sums_;
     int tile_size_;
     std::vector<Tile> tiles_;
     std::vector<std::uint32_t> rounds_;
     std::unique_ptr<std::mutex[]> locks_;
+    mutable std::mutex gate_;  // who waits for the whole film lets nobody pass by
+    mutable std::shared_mutex whole_;
+    std::vector<SplatPart> parts_;
 };
 
 }  // namespace lancer

@@ -59,6 +59,15 @@ void SplatSums::add(const SplatSums& other) {
     }
 }
 
+void SplatSums::take_away(const SplatSums& other) {
+    paths_.fetch_sub(other.paths(), std::memory_order_relaxed);
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+        // Minus x is one more than x with all its bits turned over.
+        add_to(sums_[i], ~other.sums_[i].low, ~other.sums_[i].high);
+        add_to(sums_[i], 1u, 0);
+    }
+}
+
 void SplatSums::set(std::span<const Fixed> words, std::uint64_t paths) {
     std::copy(words.begin(), words.end(), sums_.begin());
     paths_.store(paths, std::memory_order_relaxed);

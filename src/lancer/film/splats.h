@@ -32,7 +32,8 @@ public:
     // Many threads may add at the same time. What is smaller than 2^-65 counts as 0, what is larger than 2^62 as that.
     // `paths`: how many paths of light brought them.
     void add(std::span<const Splat> splats, std::uint64_t paths);
-    void add(const SplatSums& other);  // of the same size
+    void add(const SplatSums& other);        // of the same size
+    void take_away(const SplatSums& other);  // what was added before
 
     // What the pixel has of light, as if each pixel had had its share of the paths.
     glm::dvec3 mean(std::size_t pixel) const;

@@ -214,7 +214,8 @@ const int NODE_REACH = 8;     // cosine of how far beyond light goes
 const int NODE_POWER = 9;     // sum of EmitterRecord::strength
 const int NODE_CHILD = 10;    // the first child; of leaves -1 - emitter
 const int NODE_TWOFOLD = 11;  // 1: the same to the axis's other side
-const int NODE_SIZE = 12;
+const int NODE_HALF = 12;     // three numbers: half the sides of the box around them
+const int NODE_SIZE = 15;
 
 const int SKY_NONE = 0;
 const int SKY_EVEN = 1;      // `horizon` everywhere

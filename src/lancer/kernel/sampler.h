@@ -27,6 +27,7 @@ const int DECISION_FLIGHT = 1 << 28;  // and so many: how far light flies throug
 const int DECISIONS_OF_FLIGHT = 1 << 18;
 const int DECISION_DIMMING = 1 << 29;  // and so many: what media leave of light that is asked for
 const int DECISIONS_OF_DIMMING = 1 << 18;
+const int DECISION_DIMMING_BEFORE = (1 << 29) + (1 << 28);  // the same before the first vertex of a path of light
 
 // Of a path of light, which has a key of its own, before its vertices:
 const int DECISION_EMISSION = 0;        // which emitter; second: which side of it

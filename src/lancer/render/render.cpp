@@ -66,13 +66,7 @@ public:
                 progress_.error = report_errors(goal(), state_).reached;
             }
         }
-        const FilmSums* sums = state_.sums();
-        if (sums != nullptr && sums->splats() != nullptr) {
-            // What fell on a pixel after its own last sample.
-            for (std::size_t i = 0; i < state_.film().radiance.size(); ++i) {
-                state_.film().radiance[i] = sums->mean(i);
-            }
-        }
+        state_.show_splats();  // what fell on a pixel after its own last sample
     }
 
     RenderStatistics statistics() const {

@@ -10,6 +10,9 @@ namespace {
 // Facets that spread light less than this throw patterns of light that paths from the camera hardly ever find.
 constexpr double shiny = 0.15;  // roughness
 
+// With more bounces in media than these, what joints cost grows as their square.
+constexpr int most_joined = 32;
+
 bool is_physical_scene(const Scene& scene) {
     return std::any_of(scene.materials.begin(), scene.materials.end(), is_physical) ||
            std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.power.has_value(); }) ||
@@ -59,12 +62,15 @@ IntegratorChoice suit(const Scene& scene) {
     if (scene.lights.empty()) {
         return {"path", "its lamps can be met by chance"};
     }
+    if (!scene.media.empty() && scene.settings.bounces.value_or(0) > most_joined) {
+        return {"path", "of paths that media scatter so often, joining each vertex with each other costs more than it brings"};
+    }
     const std::vector<Obstacle> against = obstacles(scene, "vcm");
     if (!against.empty()) {
         return {"path", "vcm, which would find the light that glass and mirrors throw, can't: " + against.front().what};
     }
-    if (!scene.settings.aovs.empty() || scene.settings.spectral_bins > 0) {
-        return {"path", "AOVs and spectra are its own"};
+    if (const std::string lacks = lacking(scene, "vcm"); !lacks.empty()) {
+        return {"path", "vcm, which would find the light that glass and mirrors throw, does not make " + lacks};
     }
     return {"vcm", "glass or mirrors throw the light of lights without size, which paths from the camera alone never find"};
 }
@@ -72,6 +78,24 @@ IntegratorChoice suit(const Scene& scene) {
 }  // namespace
 
 bool starts_at_lamps(const std::string& integrator) { return integrator == "light" || integrator == "bdpt" || integrator == "vcm"; }
+
+std::string lacking(const Scene& scene, const std::string& integrator) {
+    if (!starts_at_lamps(integrator)) {
+        return "";
+    }
+    if (scene.settings.spectral_bins > 0) {
+        return "spectral bins";
+    }
+    for (const std::string& aov : scene.settings.aovs) {
+        // Of light that falls anywhere nobody knows how often it was scattered, nor what it would have been in another run. Paths of light alone see
+        // nothing first.
+        const bool of_light = aov == "direct" || aov == "indirect" || aov == "variance";
+        if (of_light || (integrator == "light" && aov != "samples")) {
+            return "the AOV " + aov;
+        }
+    }
+    return "";
+}
 
 IntegratorChoice choose_integrator(const Scene& scene) {
     if (scene.settings.integrator != "auto") {
@@ -91,20 +115,16 @@ std::vector<Obstacle> obstacles(const Scene& scene, const std::string& integrato
                 {"a material that is not there when seen from within looks different to light than to a camera", material.position});
         }
     }
-    for (const Material& material : scene.materials) {
-        if (std::holds_alternative<NullMaterial>(material.model) || material.interior || material.priority != 0) {
-            found.push_back({"media that scatter, and bodies that overlap by priority, are followed by path only", material.position});
-            break;
-        }
-    }
-    if (scene.medium) {
-        found.push_back({"media that scatter are followed by path only", {scene.file, 0, 0}});
-    }
     const RenderSettings& settings = scene.settings;
     if (settings.diffuse_bounces || settings.glossy_bounces || settings.transmission_bounces) {
         found.push_back({"bounces are limited by kind", {scene.file, 0, 0}});
     }
     if (integrator == "light") {
+        for (const Medium& medium : scene.media) {
+            if (is_bright(medium.emission) && medium.emission_strength > 0.0) {
+                found.push_back({"light that a medium gives off by itself is found by paths from the camera only", medium.position});
+            }
+        }
         const bool far = has_sky(scene) || std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
                              return std::holds_alternative<DirectionalLight>(light.model);
                          });

@@ -24,6 +24,9 @@ struct Obstacle {
 
 std::vector<Obstacle> obstacles(const Scene& scene, const std::string& integrator);
 
+// Which of the AOVs and spectra that the settings ask for it can't make, in words; empty where it makes them all.
+std::string lacking(const Scene& scene, const std::string& integrator);
+
 // Whether it follows light from the lamps.
 bool starts_at_lamps(const std::string& integrator);
 

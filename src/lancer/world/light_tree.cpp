@@ -158,6 +158,11 @@ private:
             numbers[kernel::NODE_MIDDLE + i] = static_cast<float>(middle[i]);
             numbers[kernel::NODE_AXIS + i] = static_cast<float>(all.cone.axis[i]);
         }
+        const double slack = 1e-6 * std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)});
+        for (int i = 0; i < 3; ++i) {
+            const double half = std::max(all.bounds.high[i] - middle[i], middle[i] - all.bounds.low[i]);
+            numbers[kernel::NODE_HALF + i] = static_cast<float>(half * (1.0 + 1e-4) + slack);
+        }
         // A little wider than it is: what is computed from it is rounded.
         const double size = std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)});
         numbers[kernel::NODE_RADIUS] = static_cast<float>(radius > 0.0 ? radius * (1.0 + 1e-4) + 1e-6 * size : 0.0);

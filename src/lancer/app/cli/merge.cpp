@@ -50,6 +50,12 @@ public:
         file.add_to(*state_);
     }
 
+    void show() {
+        if (state_) {
+            state_->show_splats();
+        }
+    }
+
     const std::vector<std::string>& foreign() const { return foreign_; }
 
     // What is missing, in words; empty where nothing is.
@@ -144,6 +150,7 @@ int merge(const CLI::App& app, const Arguments& arguments) {
             damaged.emplace_back(damage.what());
         }
     }
+    merger.show();
     say("error", damaged);
     say("error", merger.foreign());
     if (!damaged.empty() || !merger.foreign().empty()) {

@@ -96,6 +96,7 @@ void go_on_with(const Begun& begun, const FilmAbout& about, FilmState& state, Di
         return;
     }
     begun.film->add_to(state);
+    state.show_splats();
 }
 
 // One job, from the scene's file to the last line that is said.
@@ -128,7 +129,7 @@ public:
         }
 
         std::optional<Checkpoints> checkpoints;
-        if (job_.checkpoint.value_or(1.0) > 0.0 && !prepared_->device->makes_splats()) {
+        if (job_.checkpoint.value_or(1.0) > 0.0) {
             const CheckpointTimes times = job_.checkpoint ? CheckpointTimes{*job_.checkpoint, *job_.checkpoint} : CheckpointTimes{};
             checkpoints.emplace(begun_ ? begun_->output : outputs_.first, about, state, times);
         }
@@ -192,21 +193,14 @@ private:
         }
         times_.load = seconds_since(load_start);
         const auto prepare_start = Clock::now();
-        if (scene && needs_film() && scene->settings.integrator == "auto" && !job_.render.integrator &&
-            scene::starts_at_lamps(scene::chosen_integrator(*scene))) {
-            scene->settings.integrator = "path";  // the next best that a film can be kept of
-        }
         if (scene && !diagnostics.has_errors()) {
             prepared_ = prepare(std::move(*scene), job_.render, render_command(file, job_.render), diagnostics);
         }
         times_.prepare = seconds_since(prepare_start);
         if (prepared_) {
             check_contents(job_, prepared_->contents, diagnostics);
-            if (prepared_->device->makes_splats() && needs_film()) {
-                diagnostics.error({},
-                                  "light from the lamps falls on tiles that others have rendered: films, shards, checkpoints and stated "
-                                  "errors are for paths from "
-                                  "the camera (--integrator path)");
+            if (prepared_->device->makes_splats() && job_.render.error) {
+                diagnostics.error({}, "light from the lamps falls anywhere: stated errors are for paths from the camera (--integrator path)");
             }
             if (job_.shard) {
                 prepared_->options.shard = job_.shard->shard;
@@ -215,10 +209,6 @@ private:
         }
         print_diagnostics(diagnostics, job_.quiet);
         return prepared_ && !diagnostics.has_errors();
-    }
-
-    bool needs_film() const {
-        return job_.shard || job_.render.error || job_.checkpoint.value_or(0.0) > 0.0 || begun_ || !outputs_.films.empty();
     }
 
     // What has gone through checkpoints stays open for more samples.

@@ -265,9 +265,7 @@ void LANCER_BIDIRECTIONAL(const kernel::WorldRecord& asked, const PathRange& ran
             splat.valid = both(splat.valid, good);
             put_splats(world, splat, camera.path.nanometres, *samples.splats);
         };
-        if (light_only) {
-            put(join_light_to_camera(world, start, lit, light_paths, tally));
-        }
+        put(join_light_to_camera(world, start, lit, light_paths, !light_only, tally));
         int kept = 0;
         for (; some(lit.path.alive); ++kept) {
             put(light_step(world, kept, light_paths, !light_only, start, merging, lit, tally));
@@ -284,7 +282,7 @@ void LANCER_BIDIRECTIONAL(const kernel::WorldRecord& asked, const PathRange& ran
                 world, Float::load_aligned(x), Float::load_aligned(y), key,
                 UInt::load_aligned(number) * UInt(static_cast<std::uint32_t>(GLANCES)) + UInt(static_cast<std::uint32_t>(i)), mask);
             for (int depth = 0; some(glance.path.alive); ++depth) {
-                glance_step(world, depth, glance, tally);
+                glance_step(world, depth, i, glance, tally);
             }
             sound = both(sound, is_sound(glance.path.radiance));
             rgb = rgb + light_in_pixel(world, glance.path, glance.path.radiance, mask) * Float(1.0f / static_cast<float>(GLANCES));

@@ -3,6 +3,7 @@
 #include <xmmintrin.h>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -57,6 +58,13 @@ public:
         const FlushDenormals flush;
         if (makes_splats() && samples.splats != nullptr) {
             variant_.both_ends(record_, range, photons_ ? &*photons_ : nullptr, samples, counts);
+            if (!samples.first_hits.empty()) {
+                // The camera's halves begin as paths do: these are followed to what they meet first.
+                kernel::WorldRecord shortest = record_;
+                shortest.max_depth = 0;
+                std::vector<glm::vec3> unused(range.paths());
+                variant_.paths(shortest, range, {unused, {}, samples.first_hits, {}, nullptr}, counts);
+            }
         } else {
             variant_.paths(record_, range, samples, counts);
         }

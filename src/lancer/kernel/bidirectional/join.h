@@ -17,8 +17,9 @@ struct Outwards {
     Spectrum value;  // the material's value times the cosine; of light's half corrected, see light_correction
     Float density;   // of going there
     Float back;      // of coming from there and going to where it came from
-    Float cosine;    // to the surface's normal
+    Float cosine;    // to the surface's normal; 1 in a medium
     Mask single;
+    Mask through;
     Mask open;
 };
 
@@ -26,15 +27,16 @@ FN Outwards send_out(IN(WorldRecord) world, IN(BidirVertex) v, Vec3 direction, b
     Outwards o;
     Vec3 wi = to_local(v.frame, direction);
     Float rises = dot(direction, v.normal);
-    o.cosine = abs(rises);
-    o.open = both(both(mask, v.valid), wi.z * rises > Float(0.0f));
+    o.cosine = select(v.floats, Float(1.0f), abs(rises));
+    o.open = both(both(mask, v.valid), either(v.floats, wi.z * rises > Float(0.0f)));
     BsdfValue value = bsdf_value(world, v.closure, v.wo, wi, o.open);
     o.open = without(o.open, is_black(value.value));
     o.value = value.value;
     o.density = value.density;
     o.back = Float(0.0f);
-    Mask through = wi.z < Float(0.0f);
+    Mask through = without(wi.z < Float(0.0f), v.floats);
     o.single = both(through, v.disperses);
+    o.through = through;
     if (some(o.open)) {
         o.back = density_back(world, v.closure, v.wo, wi, o.open);
         if (from_light) {
@@ -47,6 +49,15 @@ FN Outwards send_out(IN(WorldRecord) world, IN(BidirVertex) v, Vec3 direction, b
 }
 
 FN Int medium_towards(IN(BidirVertex) v, Vec3 direction) { return select(dot(direction, v.normal) > Float(0.0f), v.front, v.behind); }
+
+FN Media media_towards(IN(BidirVertex) v, IN(Outwards) o) { return select_media(o.through, v.beyond, v.around); }
+
+// Numbers for what media leave of light between two vertices.
+FN Sampler joint_numbers(IN(Sampler) numbers, int camera_vertex, int light_vertex) {
+    Sampler s = numbers;
+    s.key = scramble(scramble(numbers.key ^ UInt(0x4a4f494eu)) + UInt(uint(camera_vertex * 1024 + light_vertex)));
+    return s;
+}
 
 // From just off one surface to just before another point.
 FN Ray ray_between(IN(BidirVertex) v, Vec3 direction, Vec3 end) {
@@ -63,9 +74,52 @@ FN Vec3 before_surface(Vec3 position, Vec3 error, Vec3 normal, Float distance, V
     return leave_surface(position, error + vec3_all(distance * Float(8.0f * ROUNDING)), normal, back);
 }
 
+// What reaches the end of a ray between two vertices.
+struct Passing {
+    Spectrum share;
+    Spectrum thinned;  // of a path that flies there
+    Mask lit;
+};
+
+// `medium`, `distance`: where nothing scatters. Numbers from `decision` on.
+FN Passing pass_between(IN(WorldRecord) world, IN(Ray) shadow, IN(Media) around, Int medium, Float distance, Vec4 nanometres,
+                        IN(Sampler) numbers, UInt decision, Mask going) {
+    Passing p;
+    p.thinned = vec4_all(Float(1.0f));
+    if (world.has_media != 0) {
+        p.share = passing_thinned(world, shadow, around, nanometres, numbers, decision, going, p.thinned);
+        p.lit = without(going, is_black(p.share));
+    } else {
+        p.share = passing_light(world, shadow, nanometres, going);
+        p.lit = without(going, is_black(p.share));
+        if (world.has_transparency != 0) {
+            Mask near = both(p.lit, shadow.reach < Float(FAR));
+            p.share = p.share * left_of_light(world, medium, distance, nanometres, near);
+        }
+    }
+    return p;
+}
+
+// The density of vertices at `v` of paths that come along that way, over their density per solid angle and the distance's square.
+FN Float arrival(IN(WorldRecord) world, IN(BidirVertex) v, Float cosine, Spectrum thinned) {
+    Float a = cosine;
+    if (world.has_media != 0) {
+        a = cosine * thinning(world, v.thick * thinned);
+    }
+    return a;
+}
+
+FN Float flown(IN(WorldRecord) world, Spectrum thinned) {
+    Float f = Float(1.0f);
+    if (world.has_media != 0) {
+        f = thinning(world, thinned);
+    }
+    return f;
+}
+
 // ---- The camera's half and a light that is asked. -------------------------------------------------------------------------------------------
 
-FN_LARGE Spectrum join_emitter(IN(WorldRecord) world, IN(BidirVertex) v, IN(Subpath) sub, Float choice, Vec2 u, Mask asking,
+FN_LARGE Spectrum join_emitter(IN(WorldRecord) world, int depth, IN(BidirVertex) v, IN(Subpath) sub, Float choice, Vec2 u, Mask asking,
                                IN(MergeWeights) merging, INOUT(RayTally) tally) {
     Spectrum found = black();
     Vec3 facing = select(is_opaque(v.closure), v.normal, vec3_all(Float(0.0f)));
@@ -109,19 +163,16 @@ FN_LARGE Spectrum join_emitter(IN(WorldRecord) world, IN(BidirVertex) v, IN(Subp
         going = forth.open;
         if (some(going)) {
             tally.shadow += lanes_in(going);
-            Spectrum passes = passing_light(world, shadow, sub.path.nanometres, going);
-            Mask lit = without(going, is_black(passes));
-            if (world.has_transparency != 0) {
-                Mask near = both(lit, shadow.reach < Float(FAR));
-                light = light * left_of_light(world, medium_towards(v, shadow.direction), shadow.reach, sub.path.nanometres, near);
-            }
+            UInt decision = UInt(uint(DECISION_DIMMING + depth * DECISIONS_OF_DIMMING));
+            Passing passing = pass_between(world, shadow, media_towards(v, forth), medium_towards(v, shadow.direction), shadow.reach,
+                                           sub.path.nanometres, sub.path.numbers, decision, going);
             Float asked = density * chosen.chance;
-            Float by_chance = select(discrete, Float(0.0f), square_of_density(forth.density / asked));
-            Float by_light = square_of_density(sent * forth.cosine / chosen.chance) *
-                             (merging.merge + v.ways.meet + v.ways.join * square_of_density(forth.back));
-            Spectrum weight = passes / (asked * (Float(1.0f) + by_chance + by_light));
-            Spectrum brought = v.throughput * forth.value * light * weight;
-            found = select(lit, first_alone(brought, either(v.single, forth.single)), found);
+            Float by_chance = select(discrete, Float(0.0f), square_of_density(forth.density * flown(world, passing.thinned) / asked));
+            Float by_light = square_of_density(sent * arrival(world, v, forth.cosine, passing.thinned) / chosen.chance) *
+                             (merging_at(merging, v.floats).merge + v.ways.meet + v.ways.join * square_of_density(forth.back));
+            Float weight = Float(1.0f) / (asked * (Float(1.0f) + by_chance + by_light));
+            Spectrum brought = v.throughput * forth.value * light * passing.share * weight;
+            found = select(passing.lit, first_alone(brought, either(v.single, forth.single)), found);
         }
     }
     return found;
@@ -129,15 +180,16 @@ FN_LARGE Spectrum join_emitter(IN(WorldRecord) world, IN(BidirVertex) v, IN(Subp
 
 // ---- The camera's half and light's. ---------------------------------------------------------------------------------------------------------
 
-FN_LARGE Spectrum join_vertices(IN(WorldRecord) world, IN(BidirVertex) v, IN(BidirVertex) l, Vec4 nanometres, Mask asking,
-                                IN(MergeWeights) merging, INOUT(RayTally) tally) {
+// `numbers`: for this pair.
+FN_LARGE Spectrum join_vertices(IN(WorldRecord) world, IN(BidirVertex) v, IN(BidirVertex) l, Vec4 nanometres, IN(Sampler) numbers,
+                                Mask asking, IN(MergeWeights) merging, INOUT(RayTally) tally) {
     Spectrum found = black();
     Vec3 way = l.position - v.position;
     Float distance_2 = dot(way, way);
     Mask going = both(both(asking, both(v.valid, l.valid)), distance_2 > Float(0.0f));
     Float distance = sqrt(max(distance_2, Float(SMALLEST)));
     Vec3 direction = way / distance;
-    going = both(going, abs(dot(direction, v.normal)) > Float(0.0f));
+    going = both(going, either(v.floats, abs(dot(direction, v.normal)) > Float(0.0f)));
     if (some(going)) {
         Outwards forth = send_out(world, v, direction, false, going);
         going = forth.open;
@@ -149,18 +201,15 @@ FN_LARGE Spectrum join_vertices(IN(WorldRecord) world, IN(BidirVertex) v, IN(Bid
             if (some(going)) {
                 tally.shadow += lanes_in(going);
                 Ray shadow = ray_between(v, direction, before_surface(l.position, l.error, l.normal, distance, -direction));
-                Spectrum passes = passing_light(world, shadow, nanometres, going);
-                Mask lit = without(going, is_black(passes));
-                if (world.has_transparency != 0) {
-                    brought = brought * left_of_light(world, medium_towards(v, direction), distance, nanometres, lit);
-                }
-                Float by_camera = square_of_density(forth.density * into.cosine / distance_2) *
-                                  (merging.merge + l.ways.meet + l.ways.join * square_of_density(into.back));
-                Float by_light = square_of_density(into.density * forth.cosine / distance_2) *
-                                 (merging.merge + v.ways.meet + v.ways.join * square_of_density(forth.back));
-                Spectrum weight = passes / (Float(1.0f) + by_camera + by_light);
+                Passing passing = pass_between(world, shadow, media_towards(v, forth), medium_towards(v, direction), distance, nanometres,
+                                               numbers, UInt(0u), going);
+                Float by_camera = square_of_density(forth.density * arrival(world, l, into.cosine, passing.thinned) / distance_2) *
+                                  (merging_at(merging, l.floats).merge + l.ways.meet + l.ways.join * square_of_density(into.back));
+                Float by_light = square_of_density(into.density * arrival(world, v, forth.cosine, passing.thinned) / distance_2) *
+                                 (merging_at(merging, v.floats).merge + v.ways.meet + v.ways.join * square_of_density(forth.back));
+                Float weight = Float(1.0f) / (Float(1.0f) + by_camera + by_light);
                 Mask single = either(either(v.single, l.single), either(forth.single, into.single));
-                found = select(lit, first_alone(brought * weight, single), found);
+                found = select(passing.lit, first_alone(brought * passing.share * weight, single), found);
             }
         }
     }
@@ -193,8 +242,8 @@ FN Vec2 lens_of_light(IN(WorldRecord) world, IN(Sampler) numbers) {
 }
 
 // `weighed`: false where no other way is tried.
-FN_LARGE FilmSplat join_camera(IN(WorldRecord) world, IN(BidirVertex) l, IN(Subpath) sub, Float light_paths, bool weighed, Mask asking,
-                               IN(MergeWeights) merging, INOUT(RayTally) tally) {
+FN_LARGE FilmSplat join_camera(IN(WorldRecord) world, int depth, IN(BidirVertex) l, IN(Subpath) sub, Float light_paths, bool weighed,
+                               Mask asking, IN(MergeWeights) merging, INOUT(RayTally) tally) {
     FilmSplat splat = no_splat();
     CameraSight sight = see_point(world.camera, l.position, lens_of_light(world, sub.path.numbers), Float(world.filter_record.radius));
     Mask going = both(both(asking, l.valid), sight.valid);
@@ -212,22 +261,21 @@ FN_LARGE FilmSplat join_camera(IN(WorldRecord) world, IN(BidirVertex) l, IN(Subp
             seen.frame.y = select(turned, frame.y, l.frame.y);
             seen.frame.z = select(turned, frame.z, l.frame.z);
             seen.wo = select(turned, wo, l.wo);
-            going = both(going, seen.wo.z > Float(0.0f));
+            going = both(going, either(seen.floats, seen.wo.z > Float(0.0f)));
         }
         Outwards forth = send_out(world, seen, sight.direction, true, going);
         going = forth.open;
         if (some(going)) {
             tally.shadow += lanes_in(going);
             Ray shadow = ray_between(l, sight.direction, l.position + sight.direction * sight.distance);
-            Spectrum passes = passing_light(world, shadow, sub.path.nanometres, going);
-            Mask lit = without(going, is_black(passes));
-            Spectrum brought = l.throughput * forth.value * (passes * (sight.density / light_paths));
-            if (world.has_transparency != 0) {
-                brought = brought * left_of_light(world, medium_towards(l, sight.direction), sight.distance, sub.path.nanometres, lit);
-            }
+            UInt decision = UInt(uint(DECISION_DIMMING + depth * DECISIONS_OF_DIMMING));
+            Passing passing = pass_between(world, shadow, media_towards(l, forth), medium_towards(l, sight.direction), sight.distance,
+                                           sub.path.nanometres, sub.path.numbers, decision, going);
+            Mask lit = passing.lit;
+            Spectrum brought = l.throughput * forth.value * passing.share * (sight.density / light_paths);
             if (weighed) {
-                Float by_camera = square_of_density(sight.density * forth.cosine / light_paths) *
-                                  (merging.merge + l.ways.meet + l.ways.join * square_of_density(forth.back));
+                Float by_camera = square_of_density(sight.density * arrival(world, l, forth.cosine, passing.thinned) / light_paths) *
+                                  (merging_at(merging, l.floats).merge + l.ways.meet + l.ways.join * square_of_density(forth.back));
                 brought = brought / (Float(1.0f) + by_camera);
             }
             splat.film = sight.film;
@@ -238,8 +286,11 @@ FN_LARGE FilmSplat join_camera(IN(WorldRecord) world, IN(BidirVertex) l, IN(Subp
     return splat;
 }
 
-// The light itself, seen by the camera.
-FN_LARGE FilmSplat join_light_to_camera(IN(WorldRecord) world, IN(LightStart) start, IN(Subpath) sub, Float light_paths,
+// Rays that look for lamps which are seen at once, for each sample: see glance_step.
+const int GLANCES = 4;
+
+// The light itself, seen by the camera. `weighed`: glances look for lamps, too, and for the sky alone.
+FN_LARGE FilmSplat join_light_to_camera(IN(WorldRecord) world, IN(LightStart) start, IN(Subpath) sub, Float light_paths, bool weighed,
                                         INOUT(RayTally) tally) {
     FilmSplat splat = no_splat();
     Mask asking = without(start.emission.valid, start.emission.discrete);
@@ -253,6 +304,9 @@ FN_LARGE FilmSplat join_light_to_camera(IN(WorldRecord) world, IN(LightStart) st
     Mask seen = select_mask(far, both(sky.valid, all_or_none(world.sky.visible != 0 && world.camera.kind != CAMERA_ORTHOGRAPHIC)),
                             both(sight.valid, faces));
     Mask going = both(asking, seen);
+    if (weighed) {
+        going = without(going, far);
+    }
     if (some(going)) {
         // Radiance is even over all directions of a lamp: what was drawn for one serves for another.
         Float undone = start.emission.density.place * start.emission.density.direction / max(start.emission.cosine, Float(SMALLEST));
@@ -271,11 +325,20 @@ FN_LARGE FilmSplat join_light_to_camera(IN(WorldRecord) world, IN(LightStart) st
         shadow.direction = select(far, -start.emission.direction, shadow.direction);
         shadow.reach = select(far, Float(FAR), shadow.reach);
         tally.shadow += lanes_in(going);
-        Spectrum passes = passing_light(world, shadow, sub.path.nanometres, going);
-        Mask lit = without(going, is_black(passes));
-        Spectrum weight = passes * (select(far, of_sky, of_lamp) / light_paths);
+        Media around = sub.path.media;
+        if (world.has_media != 0) {
+            around = select_media(far, media_of_camera(world), around);
+        }
+        Passing passing = pass_between(world, shadow, around, Int(-1), shadow.reach, sub.path.nanometres, sub.path.numbers,
+                                       UInt(uint(DECISION_DIMMING_BEFORE)), going);
+        Mask lit = passing.lit;
+        Float weight = select(far, of_sky, of_lamp) / light_paths;
+        if (weighed) {
+            Float by_glance = Float(float(GLANCES)) * of_lamp * flown(world, passing.thinned) / (light_paths * start.chance);
+            weight = weight / (Float(1.0f) + square_of_density(by_glance));
+        }
         splat.film = vec2_of(select(far, sky.film.x, sight.film.x), select(far, sky.film.y, sight.film.y));
-        splat.light = select(lit, radiance * weight, splat.light);
+        splat.light = select(lit, radiance * passing.share * weight, splat.light);
         splat.valid = without(lit, is_black(splat.light));
     }
     return splat;

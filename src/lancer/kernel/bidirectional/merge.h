@@ -78,7 +78,9 @@ FN_LARGE void photon_step(IN(WorldRecord) world, int depth, IN(LightStart) start
             sub.ways = ways_of_first_light(world, start, met, v, merging);
             v.ways = sub.ways;
         }
-        scatter_subpath(world, depth, true, met.surface.material, met.surface.inside, v, merging, sub);
+        Vec2 choice = decide(sub.path, depth, DECISION_CHOICE);
+        scatter_subpath(world, depth, true, choice.y, v, merging, sub);
+        v.valid = without(v.valid, v.floats);
     } else {
         v.valid = nowhere();
     }

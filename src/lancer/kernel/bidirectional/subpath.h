@@ -5,6 +5,7 @@
 #ifndef LANCER_KERNEL_BIDIRECTIONAL_SUBPATH_H
 #define LANCER_KERNEL_BIDIRECTIONAL_SUBPATH_H
 
+#include "lancer/kernel/bidirectional/around.h"
 #include "lancer/kernel/bidirectional/vertex.h"
 #include "lancer/kernel/emitter/emission.h"
 #include "lancer/kernel/importance.h"
@@ -30,10 +31,11 @@ FN MergeWeights no_merging() {
 struct Subpath {
     PathState path;
     Ways ways;
-    Float start;    // largest part of the throughput where it began
-    Mask single;    // has given up all wavelengths but the first
-    Mask parallel;  // its density does not fall with the distance to the next vertex
-    Mask straight;  // all its vertices have been mirrors and smooth borders
+    Spectrum thick;  // `thick` of the vertex that it left
+    Float start;     // largest part of the throughput where it began
+    Mask single;     // has given up all wavelengths but the first
+    Mask parallel;   // its density does not fall with the distance to the next vertex
+    Mask straight;   // all its vertices have been mirrors and smooth borders
 };
 
 FN Float square_of_density(Float density) { return square(min(density, Float(MOST_DENSITY))); }
@@ -82,6 +84,25 @@ FN Float density_back(IN(WorldRecord) world, IN(Closure) c, Vec3 wo, Vec3 wi, Ma
     return density;
 }
 
+// The chance that a path flies the whole way to a vertex, but for what is the same for every path of this shape: the mean over its wavelengths.
+FN Float thinning(IN(WorldRecord) world, Spectrum thinned) {
+    Float mean = Float(1.0f);
+    if (world.spectral != 0) {
+        mean = sum_of(thinned) * Float(0.25f);
+    } else {
+        mean = ((thinned.x + thinned.y) + thinned.z) * Float(1.0f / 3.0f);
+    }
+    return max(mean, Float(1.0e-12f));
+}
+
+// Photons are kept on surfaces only.
+FN MergeWeights merging_at(IN(MergeWeights) merging, Mask floats) {
+    MergeWeights w;
+    w.merge = select(floats, Float(0.0f), merging.merge);
+    w.join = merging.join;
+    return w;
+}
+
 // What makes the material's value for radiance along wo, with light from wi, that for light from wo which goes on along wi.
 FN Float light_correction(IN(BidirVertex) v, Vec3 wi, Vec3 direction, Mask through) {
     Float leaves = abs(dot(direction, v.normal));
@@ -89,7 +110,7 @@ FN Float light_correction(IN(BidirVertex) v, Vec3 wi, Vec3 direction, Mask throu
     Float correction = abs(v.wo.z) * leaves / max(into * abs(wi.z), Float(SMALLEST));
     Float eta = v.closure.index.x;
     Mask bends = without(both(through, is_clear(v.closure)), v.sheet);
-    return correction * select(bends, eta * eta, Float(1.0f));
+    return select(v.floats, Float(1.0f), correction * select(bends, eta * eta, Float(1.0f)));
 }
 
 // ---- The next vertex. -----------------------------------------------------------------------------------------------------------------------
@@ -98,7 +119,10 @@ struct Meeting {
     PathVertex surface;
     Int part;  // the triangle of a mesh
     Float distance;
-    Float cosine;  // of the ray and the surface's normal
+    Float cosine;   // of the ray and the surface's normal, times the thinning of media; that alone where nothing was met
+    Float thinned;  // the chance to fly to what was met, and back
+    Float leaves;   // back to the vertex before: per metre where that floats
+    Spectrum glow;  // what media have added
     Mask here;
     Mask missed;
 };
@@ -110,15 +134,48 @@ FN_LARGE void meet_vertex(IN(WorldRecord) world, int depth, bool from_light, INO
     ray.direction = sub.path.direction;
     ray.reach = Float(FAR);
     Float passed = Float(0.0f);
-    Hit hit = closest_there(world, sub.path.numbers, DECISION_LAYERS + depth * DECISIONS_OF_LAYERS, sub.path.nanometres, sub.path.alive,
+    Hit hit;
+    met.surface = no_vertex();
+    met.thinned = Float(1.0f);
+    met.leaves = Float(1.0f);
+    met.glow = black();
+    Spectrum passed_media = vec4_all(Float(1.0f));
+    v.thick = vec4_all(Float(1.0f));
+    v.floats = nowhere();
+    if (world.has_media != 0) {
+        // Who has given up all wavelengths but the first flies as that one does.
+        Vec4 carried = sub.path.throughput;
+        carried = select(sub.single, vec4_of(carried.x, Float(0.0f), Float(0.0f), Float(0.0f)), carried);
+        Passage passage = pass_media(world, sub.path.numbers, depth, sub.path.origin, sub.path.direction, sub.path.media, carried,
+                                     sub.path.nanometres, sub.path.alive);
+        ray.origin = passage.ray.origin;
+        hit = passage.hit;
+        passed = passage.passed;
+        v.floats = passage.scattered;
+        v.thick = select(v.floats, passage.extinction, v.thick);
+        sub.path.throughput = passage.throughput;
+        sub.path.media = passage.media;
+        sub.path.alive = without(sub.path.alive, passage.lost);
+        met.surface.closure = select_closure(v.floats, phase_closure(passage.phase, passage.asymmetry), met.surface.closure);
+        met.surface.point.position = passage.position;
+        met.surface.point.normal = -sub.path.direction;
+        met.surface.point.shading = -sub.path.direction;
+        passed_media = passage.thinned;
+        met.thinned = thinning(world, passed_media);
+        met.leaves = thinning(world, sub.thick * passed_media);
+        met.glow = passage.emission;
+        met.distance = passage.before + select(v.floats, Float(0.0f), passed + hit.t);
+    } else {
+        hit = closest_there(world, sub.path.numbers, DECISION_LAYERS + depth * DECISIONS_OF_LAYERS, sub.path.nanometres, sub.path.alive,
                             ray, passed, sub.path.throughput);
-    Mask here = both(sub.path.alive, is_above(hit.object, Int(-1)));
+        met.distance = passed + hit.t;
+    }
+    Mask struck = both(sub.path.alive, is_above(hit.object, Int(-1)));
+    Mask here = both(sub.path.alive, either(struck, v.floats));
     met.here = here;
     met.missed = without(sub.path.alive, here);
-    met.surface = no_vertex();
     met.part = hit.part;
-    met.distance = passed + hit.t;
-    met.cosine = Float(1.0f);
+    met.cosine = met.thinned;
     v.valid = here;
     sub.path.alive = here;
     if (some(here)) {
@@ -128,14 +185,14 @@ FN_LARGE void meet_vertex(IN(WorldRecord) world, int depth, bool from_light, INO
             Vec2 u = decide(sub.path, depth, DECISION_SURVIVAL);
             which = u.y;
         }
-        find_vertex(world, ray, hit, sub.path.width, which, sub.path.nanometres, here, met.surface);
+        find_vertex(world, ray, hit, sub.path.width, which, sub.path.nanometres, struck, met.surface);
         Mask inside = met.surface.inside;
         Mask thin = is_equal(met.surface.closure.kind, Int(BSDF_THIN_DIELECTRIC));
         Mask body = both(here, is_clear(met.surface.closure));
         Int front = sub.path.media.first;
         if (world.has_transparency != 0) {
             front = select(both(body, inside), medium_before(sub.path.media, met.surface.material, inside), front);
-            sub.path.throughput = sub.path.throughput * left_of_light(world, front, met.distance, sub.path.nanometres, here);
+            sub.path.throughput = sub.path.throughput * left_of_light(world, front, passed + hit.t, sub.path.nanometres, struck);
         }
         Vec3 view = -ray.direction;
         v.position = met.surface.point.position;
@@ -155,7 +212,7 @@ FN_LARGE void meet_vertex(IN(WorldRecord) world, int depth, bool from_light, INO
         if (world.has_own_coats != 0) {
             met.surface.closure.coat_normal = seen_coat(met.surface, v.frame, v.normal, view);
         }
-        met.cosine = max(abs(dot(view, v.normal)), Float(1.0e-12f));
+        met.cosine = select(here, max(abs(dot(view, v.normal)), Float(1.0e-12f)), met.cosine);
         Mask clear = either(body, both(here, thin));
         Media beyond = sub.path.media;
         if (some(clear)) {
@@ -168,19 +225,26 @@ FN_LARGE void meet_vertex(IN(WorldRecord) world, int depth, bool from_light, INO
         v.pane = met.surface.pane;
         v.front = front;
         v.behind = select(v.sheet, front, beyond.first);
+        v.around = sub.path.media;
+        v.beyond = select_media(v.sheet, sub.path.media, beyond);
         if (from_light) {
             // What hills hide of the light is known as soon as it arrives.
             sub.path.throughput = sub.path.throughput * between_hills(v.hills, v.smooth_, view);
         }
         v.throughput = sub.path.throughput;
         v.single = sub.single;
+        if (world.has_media != 0) {
+            Float through = thinning(world, v.thick * passed_media);
+            met.cosine = select(v.floats, through, select(here, met.cosine * met.thinned, met.cosine));
+        }
         // Through the distance, and onto the surface.
         Float distance_2 = min(met.distance * met.distance, Float(1.0e18f));
         Float grown = select(sub.parallel, Float(1.0f), square(distance_2));
         Float cosine_2 = square(met.cosine);
+        Float leaves_2 = square(met.leaves);
         sub.ways.meet = sub.ways.meet * grown / cosine_2;
-        sub.ways.join = sub.ways.join / cosine_2;
-        sub.ways.merge = sub.ways.merge / cosine_2;
+        sub.ways.join = sub.ways.join * leaves_2 / cosine_2;
+        sub.ways.merge = sub.ways.merge * leaves_2 / cosine_2;
         sub.ways = limited_ways(sub.ways);
         sub.parallel = nowhere();
         v.ways = sub.ways;
@@ -196,15 +260,16 @@ FN_LARGE void meet_vertex(IN(WorldRecord) world, int depth, bool from_light, INO
 
 // ---- And the ray onwards. -------------------------------------------------------------------------------------------------------------------
 
-FN_LARGE void scatter_subpath(IN(WorldRecord) world, int depth, bool from_light, Int material, Mask inside, IN(BidirVertex) v,
-                              IN(MergeWeights) merging, INOUT(Subpath) sub) {
+// `part`: in [0, 1), which part of the material sends it on.
+FN_LARGE void scatter_subpath(IN(WorldRecord) world, int depth, bool from_light, Float part, IN(BidirVertex) v, IN(MergeWeights) merging,
+                              INOUT(Subpath) sub) {
     Mask going = sub.path.alive;
-    Vec2 choice = decide(sub.path, depth, DECISION_CHOICE);
-    choice.y = select(v.pane, Float(0.0f), choice.y);  // it would have been passed: it mirrors
-    BsdfSample next = bsdf_sample(world, v.closure, v.wo, choice.y, decide(sub.path, depth, DECISION_DIRECTION), going);
+    Float chosen = select(v.pane, Float(0.0f), part);  // a pane that is met mirrors: else it would have been passed
+    BsdfSample next = bsdf_sample(world, v.closure, v.wo, chosen, decide(sub.path, depth, DECISION_DIRECTION), going);
     Vec3 direction = normalize(to_world(v.frame, next.wi));
     Float rises = dot(direction, v.normal);
     Mask right_side = either(both(next.transmits, rises < Float(0.0f)), without(rises > Float(0.0f), next.transmits));
+    right_side = either(right_side, v.floats);
     going = both(both(going, next.valid), right_side);
     sub.path.throughput = sub.path.throughput * next.weight;
     Mask through = both(going, next.transmits);
@@ -217,14 +282,15 @@ FN_LARGE void scatter_subpath(IN(WorldRecord) world, int depth, bool from_light,
     sub.straight = both(sub.straight, next.discrete);
 
     // The other ways to what comes after. Smooth surfaces have none: what they pass on can't be joined.
-    Float out_2 = square(abs(rises));
+    Float out_2 = select(v.floats, Float(1.0f), square(abs(rises)));
+    Float merges = select(v.floats, Float(0.0f), Float(1.0f));
     Float back = density_back(world, v.closure, v.wo, next.wi, without(going, next.discrete));
     Float there_2 = square_of_density(max(next.density, Float(1.0e-8f)));
     Float back_2 = square_of_density(back);
     Ways rough;
     rough.meet = Float(1.0f) / there_2;
-    rough.join = out_2 / there_2 * (sub.ways.join * back_2 + sub.ways.meet + merging.merge);
-    rough.merge = out_2 / there_2 * (sub.ways.merge * back_2 + sub.ways.meet * merging.join + Float(1.0f));
+    rough.join = out_2 / there_2 * (sub.ways.join * back_2 + sub.ways.meet + merges * merging.merge);
+    rough.merge = out_2 / there_2 * (sub.ways.merge * back_2 + sub.ways.meet * merging.join + merges);
     sub.ways.meet = select(next.discrete, Float(0.0f), rough.meet);
     sub.ways.join = select(next.discrete, sub.ways.join * out_2, rough.join);
     sub.ways.merge = select(next.discrete, sub.ways.merge * out_2, rough.merge);
@@ -238,8 +304,8 @@ FN_LARGE void scatter_subpath(IN(WorldRecord) world, int depth, bool from_light,
     sub.path.origin = leave_surface(v.position, v.error, v.normal, direction);
     sub.path.direction = direction;
     Mask crosses = without(through, v.sheet);
-    Media beyond = select_media(inside, left(sub.path.media, material), entered(sub.path.media, material));
-    sub.path.media = select_media(crosses, beyond, sub.path.media);
+    sub.path.media = select_media(crosses, v.beyond, sub.path.media);
+    sub.thick = v.thick;
     Float eta = v.closure.index.x;
     if (!from_light) {
         sub.path.squeeze = select(crosses, sub.path.squeeze * eta * eta, sub.path.squeeze);
@@ -263,6 +329,7 @@ FN Subpath start_from_camera(IN(WorldRecord) world, Float pixel_x, Float pixel_y
     sub.path = start_path(world, pixel_x, pixel_y, key, sample_number, alive);
     sub.ways = no_ways();
     sub.ways.meet = square(light_paths / camera_density(world.camera, sub.path.direction));
+    sub.thick = vec4_all(Float(1.0f));
     sub.start = Float(1.0f);
     sub.single = nowhere();
     sub.parallel = is_parallel(world.camera);
@@ -322,15 +389,21 @@ FN Subpath start_from_light(IN(WorldRecord) world, UInt number, Vec4 nanometres,
         leave_surface(start.emission.point.position, start.emission.point.error, start.emission.point.normal, start.emission.direction);
     sub.path.direction = start.emission.direction;
     sub.path.throughput = start.emission.light / max(start.chance, Float(SMALLEST));
-    if (world.plane_count > 0) {
-        // Infinite planes may have been in the way before.
+    if (world.plane_count > 0 || world.surrounding_volume >= 0) {
+        // Infinite planes, or air, may have been in the way before.
         Mask far = both(start.emission.valid, start.emission.far);
         Ray back;
         back.origin = sub.path.origin;
         back.direction = -start.emission.direction;
         back.reach = Float(FAR);
-        Spectrum passes = passing_light(world, back, nanometres, far);
-        sub.path.throughput = select(far, sub.path.throughput * passes, sub.path.throughput);
+        if (world.has_media != 0) {
+            Spectrum share =
+                passing_spectrum(world, back, no_media(), nanometres, sub.path.numbers, UInt(uint(DECISION_DIMMING_BEFORE)), far);
+            sub.path.throughput = select(far, sub.path.throughput * share, sub.path.throughput);
+        } else {
+            Spectrum passes = passing_light(world, back, nanometres, far);
+            sub.path.throughput = select(far, sub.path.throughput * passes, sub.path.throughput);
+        }
     }
     sub.path.radiance = black();
     sub.path.weight = Float(1.0f);
@@ -342,8 +415,13 @@ FN Subpath start_from_light(IN(WorldRecord) world, UInt number, Vec4 nanometres,
     sub.path.spread = Float(0.0f);
     sub.path.scattered = UInt(0u);
     sub.path.media = no_media();
+    if (world.has_media != 0) {
+        sub.path.throughput.w = sub.path.throughput.w * Float(world.spectral != 0 ? 1.0f : 0.0f);
+        sub.path.media = media_around(world, sub.path.origin, sub.path.direction, both(alive, start.emission.valid));
+    }
     sub.path.alive = without(both(alive, start.emission.valid), is_black(sub.path.throughput));
     sub.ways = no_ways();
+    sub.thick = vec4_all(Float(1.0f));
     sub.start = largest(sub.path.throughput);
     sub.single = nowhere();
     sub.parallel = start.emission.far;

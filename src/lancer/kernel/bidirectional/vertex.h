@@ -26,10 +26,14 @@ struct BidirVertex {
     Float hills;
     Spectrum throughput;  // of the subpath up to here, but for what the vertex does
     Ways ways;
-    Int front;   // the media on the subpath's side of the surface
-    Int behind;  // and on the other
-    Mask sheet;  // nothing is bent on its way through
-    Mask pane;   // met only where it mirrors
+    Int front;       // the media on the subpath's side of the surface
+    Int behind;      // and on the other
+    Media around;    // all bodies on the subpath's side
+    Media beyond;    // and where light goes that is let through
+    Spectrum thick;  // of the medium that it floats in, its extinction per metre; of surfaces 1
+    Mask floats;     // a point of a medium: there is no cosine
+    Mask sheet;      // nothing is bent on its way through
+    Mask pane;       // met only where it mirrors
     Mask disperses;
     Mask single;  // the subpath has given up all wavelengths but the first
     Mask valid;   // there is a vertex, and it can be joined to others

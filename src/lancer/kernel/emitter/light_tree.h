@@ -1,5 +1,8 @@
 // A tree over the emitters that are near: a path goes down it, at each node to one of the two children, by about how much light they can send
 // [Conty Estevez and Kulla 2018]. One random number is used all the way: what is left of it after a choice is stretched for the next one.
+//
+// Of a node that is close for its size nobody knows how much light comes: one of its emitters may be very near. So those are taken apart first, and one
+// is chosen among all that are left; which are taken apart is a function of the place alone, and so is the chance of each emitter.
 #ifndef LANCER_KERNEL_EMITTER_LIGHT_TREE_H
 #define LANCER_KERNEL_EMITTER_LIGHT_TREE_H
 
@@ -9,7 +12,10 @@
 NAMESPACE_BEGIN
 
 const float NEAREST_2 = 1.0f / 6.0f;  // see node_weight
-const float LEAST_SLANT = 0.05f;      // what a mirror makes of a grazing lamp is not weighed too low
+const float CLOSE_2 = 1.5f;           // nodes are close whose middle is less than so many squared radii away
+const int MOST_SPLITS = 16;           // so many nodes are taken apart at most
+const int CUT_SIZE = 2 * MOST_SPLITS + 4;
+const float LEAST_SLANT = 0.05f;  // what a mirror makes of a grazing lamp is not weighed too low
 
 struct EmitterChoice {
     Int emitter;  // -1: none can be seen
@@ -24,6 +30,8 @@ struct LightNode {
     Float cos_reach;
     Float power;
     Float twofold;
+    Float child;
+    Vec3 half_sides;
 };
 
 FN LightNode same_node(IN(WorldRecord) world, int node) {
@@ -37,6 +45,9 @@ FN LightNode same_node(IN(WorldRecord) world, int node) {
     n.cos_reach = Float(AT(world.light_nodes, at + NODE_REACH));
     n.power = Float(AT(world.light_nodes, at + NODE_POWER));
     n.twofold = Float(AT(world.light_nodes, at + NODE_TWOFOLD));
+    n.child = Float(AT(world.light_nodes, at + NODE_CHILD));
+    n.half_sides = vec3_of(Float(AT(world.light_nodes, at + NODE_HALF)), Float(AT(world.light_nodes, at + NODE_HALF + 1)),
+                           Float(AT(world.light_nodes, at + NODE_HALF + 2)));
     return n;
 }
 
@@ -61,6 +72,9 @@ FN LightNode gather_node(IN(WorldRecord) world, Int node, Mask mask) {
     n.cos_reach = Float::load_aligned(out[NODE_REACH]);
     n.power = Float::load_aligned(out[NODE_POWER]);
     n.twofold = Float::load_aligned(out[NODE_TWOFOLD]);
+    n.child = Float::load_aligned(out[NODE_CHILD]);
+    n.half_sides =
+        vec3_of(Float::load_aligned(out[NODE_HALF]), Float::load_aligned(out[NODE_HALF + 1]), Float::load_aligned(out[NODE_HALF + 2]));
     return n;
 }
 
@@ -98,15 +112,30 @@ FN Float node_weight(IN(LightNode) node, Vec3 from, Vec3 facing) {
     // Away from the emitters' axes, at least.
     Float slant = -dot(towards, node.axis);
     slant = select(node.twofold > Float(0.5f), abs(slant), slant);
-    Vec2 off = angle_left(vec2_of(slant, sine_of(slant)), vec2_of(node.cos_spread, sine_of(node.cos_spread)));
-    Float sent = angle_left(off, half_angle).x;
+    // A flat box sends little along itself, and takes little from there: the most that any of its points is off a plane, over the least distance.
+    Vec3 off_box = vec3_of(max(abs(way.x) - node.half_sides.x, Float(0.0f)), max(abs(way.y) - node.half_sides.y, Float(0.0f)),
+                           max(abs(way.z) - node.half_sides.z, Float(0.0f)));
+    Float nearest = sqrt(max(dot(off_box, off_box), Float(SMALLEST)));
+    Vec3 corner = abs(way) + node.half_sides;
+    Float farthest = sqrt(max(dot(corner, corner), Float(SMALLEST)));
+    Float height = dot(abs(node.axis), node.half_sides);
+    Float ahead = -dot(way, node.axis);
+    ahead = select(node.twofold > Float(0.5f), abs(ahead), ahead);
+    Float most_ahead = ahead + height;
+    Float steepest = most_ahead / select(most_ahead > Float(0.0f), nearest, farthest);
+    Float turned = min(angle_left(vec2_of(slant, sine_of(slant)), half_angle).x, max(steepest, Float(-1.0f)));
+    Float sent = angle_left(vec2_of(turned, sine_of(turned)), vec2_of(node.cos_spread, sine_of(node.cos_spread))).x;
     // Close to a node's emitters, or among them, some are nearer than its middle: by how much one takes them for nearer at most has been measured.
     Float weight = node.power / max(max(distance_2, radius_2 * Float(NEAREST_2)), Float(SMALLEST));
-    weight = select(sent >= node.cos_reach, weight * max(sent, Float(LEAST_SLANT)), Float(0.0f));
+    // Between what its middle sends and the most that any of its points may: nearer the truth than either.
+    Float sends = Float(0.5f) * (sent + max(slant, Float(0.0f)));
+    weight = select(sent >= node.cos_reach, weight * max(sends, Float(LEAST_SLANT)), Float(0.0f));
     Float rises = dot(towards, facing);
-    Float taken = angle_left(vec2_of(rises, sine_of(rises)), half_angle).x;
+    Float highest = (dot(way, facing) + dot(abs(facing), node.half_sides)) / nearest;
+    Float taken = min(angle_left(vec2_of(rises, sine_of(rises)), half_angle).x, highest);
     Mask sided = dot(facing, facing) > Float(0.5f);
-    Float seen = select(taken > Float(0.0f), max(taken, Float(LEAST_SLANT)), Float(0.0f));
+    Float takes = Float(0.5f) * (taken + max(rises, Float(0.0f)));
+    Float seen = select(taken > Float(0.0f), max(takes, Float(LEAST_SLANT)), Float(0.0f));
     return select(sided, weight * seen, weight);
 }
 
@@ -130,6 +159,127 @@ FN Int child_of(IN(WorldRecord) world, Int node, Mask mask) {
     return round_to_int(gather_float(world.light_nodes, node * Int(NODE_SIZE) + Int(NODE_CHILD), mask));
 }
 
+// ---- What is close is taken apart. ---------------------------------------------------------------------------------------------------------
+
+// Nodes that hold all emitters together. `way`: as light_ways from there on to the emitter that is asked about, -1 where it is not in the node.
+struct TreeCut {
+    Int node[CUT_SIZE];
+    Int way[CUT_SIZE];
+    Float weight[CUT_SIZE];
+    int count;
+    Float sum;
+};
+
+FN void put_in_cut(Int node, Int way, Float weight, INOUT(TreeCut) cut) {
+    cut.node[cut.count] = node;
+    cut.way[cut.count] = way;
+    cut.weight[cut.count] = weight;
+    cut.sum = cut.sum + weight;
+    cut.count = cut.count + 1;
+}
+
+// A node that waits to be taken apart; -1: none.
+struct WaitingNode {
+    Int node;
+    Int way;
+    Float weight;
+};
+
+FN WaitingNode no_waiting_node() {
+    WaitingNode w;
+    w.node = Int(-1);
+    w.way = Int(-1);
+    w.weight = Float(0.0f);
+    return w;
+}
+
+FN WaitingNode select_waiting(Mask mask, IN(WaitingNode) a, IN(WaitingNode) b) {
+    WaitingNode w;
+    w.node = select(mask, a.node, b.node);
+    w.way = select(mask, a.way, b.way);
+    w.weight = select(mask, a.weight, b.weight);
+    return w;
+}
+
+// Squared distance to the middle over the squared radius; of leaves, which nothing takes apart, FAR.
+FN Float farness(IN(LightNode) node, Vec3 from) {
+    Vec3 way = node.middle - from;
+    Float ratio = dot(way, way) / max(node.radius * node.radius, Float(SMALLEST));
+    return select(node.child >= Float(0.0f), ratio, Float(FAR));
+}
+
+FN_LARGE TreeCut cut_tree(IN(WorldRecord) world, Vec3 from, Vec3 facing, Int emitter_way, Mask mask) {
+    TreeCut cut;
+    cut.count = 0;
+    cut.sum = Float(0.0f);
+    LightNode root = same_node(world, 0);
+    WaitingNode at;
+    at.node = select(mask, Int(0), Int(-1));
+    at.way = emitter_way;
+    at.weight = select(mask, node_weight(root, from, facing), Float(0.0f));
+    WaitingNode second = no_waiting_node();
+    WaitingNode third = second;
+    WaitingNode fourth = second;
+    Mask going = both(mask, farness(root, from) < Float(CLOSE_2));
+    for (int i = 0; i < MOST_SPLITS && some(going); ++i) {
+        Int child = child_of(world, at.node, going);
+        LightNode a;
+        LightNode b;
+        int first = first_of(child, going);
+        if (some(without(going, is_equal(child, Int(first))))) {
+            a = gather_node(world, child, going);
+            b = gather_node(world, child + Int(1), going);
+        } else {
+            a = same_node(world, first);
+            b = same_node(world, first + 1);
+        }
+        Mask turns = is_equal(at.way & Int(1), Int(1));
+        Mask on_way = is_above(at.way, Int(-1));
+        WaitingNode left_one;
+        left_one.node = child;
+        left_one.way = select(without(on_way, turns), at.way >> 1, Int(-1));
+        left_one.weight = select(going, node_weight(a, from, facing), Float(0.0f));
+        WaitingNode right_one;
+        right_one.node = child + Int(1);
+        right_one.way = select(both(on_way, turns), at.way >> 1, Int(-1));
+        right_one.weight = select(going, node_weight(b, from, facing), Float(0.0f));
+        Float far_a = farness(a, from);
+        Float far_b = farness(b, from);
+        Mask close_a = both(both(going, far_a < Float(CLOSE_2)), left_one.weight > Float(0.0f));
+        Mask close_b = both(both(going, far_b < Float(CLOSE_2)), right_one.weight > Float(0.0f));
+        // The nearer one is next; the other waits if it is close, too, and there is room.
+        Mask a_first = both(close_a, either(without(going, close_b), far_a <= far_b));
+        Mask b_first = without(close_b, a_first);
+        Mask room = is_equal(fourth.node, Int(-1));
+        Mask a_waits = both(without(close_a, a_first), room);
+        Mask b_waits = both(without(close_b, b_first), room);
+        Mask waits = either(a_waits, b_waits);
+        fourth = select_waiting(waits, third, fourth);
+        third = select_waiting(waits, second, third);
+        second = select_waiting(waits, select_waiting(a_waits, left_one, right_one), second);
+        WaitingNode done_a = select_waiting(without(without(going, a_first), a_waits), left_one, no_waiting_node());
+        WaitingNode done_b = select_waiting(without(without(going, b_first), b_waits), right_one, no_waiting_node());
+        put_in_cut(done_a.node, done_a.way, done_a.weight, cut);
+        put_in_cut(done_b.node, done_b.way, done_b.weight, cut);
+        // Who has no close child takes the last one that waits.
+        Mask takes = without(without(going, a_first), b_first);
+        WaitingNode next = select_waiting(a_first, left_one, right_one);
+        next = select_waiting(takes, second, next);
+        second = select_waiting(takes, third, second);
+        third = select_waiting(takes, fourth, third);
+        fourth = select_waiting(takes, no_waiting_node(), fourth);
+        at = select_waiting(going, next, at);
+        going = both(going, is_above(at.node, Int(-1)));
+    }
+    put_in_cut(at.node, at.way, at.weight, cut);
+    put_in_cut(second.node, second.way, second.weight, cut);
+    put_in_cut(third.node, third.way, third.weight, cut);
+    put_in_cut(fourth.node, fourth.way, fourth.weight, cut);
+    return cut;
+}
+
+// ---- The choice ----------------------------------------------------------------------------------------------------------------------------
+
 // `chance`: of coming here.
 FN EmitterChoice choose_in_tree(IN(WorldRecord) world, Vec3 from, Vec3 facing, Float u, Float chance, Mask mask) {
     EmitterChoice choice;
@@ -137,7 +287,19 @@ FN EmitterChoice choose_in_tree(IN(WorldRecord) world, Vec3 from, Vec3 facing, F
     choice.chance = chance;
     Int node = Int(0);
     Float rest = u;
-    Mask going = mask;
+    TreeCut cut = cut_tree(world, from, facing, Int(-1), mask);
+    Float goal = u * cut.sum;
+    Float so_far = Float(0.0f);
+    for (int i = 0; i < cut.count; ++i) {
+        Float weight = cut.weight[i];
+        Mask here = both(goal >= so_far, weight > Float(0.0f));  // the last one that qualifies
+        node = select(here, cut.node[i], node);
+        rest = select(here, (goal - so_far) / max(weight, Float(SMALLEST)), rest);
+        choice.chance = select(here, chance * (weight / cut.sum), choice.chance);
+        so_far = so_far + weight;
+    }
+    rest = min(max(rest, Float(0.0f)), Float(0.99999994f));
+    Mask going = both(mask, cut.sum > Float(0.0f));
     while (some(going)) {
         Int child = child_of(world, node, going);
         Mask inner = both(going, is_above(child, Int(-1)));
@@ -163,8 +325,16 @@ FN EmitterChoice choose_in_tree(IN(WorldRecord) world, Vec3 from, Vec3 facing, F
 FN Float chance_in_tree(IN(WorldRecord) world, Vec3 from, Vec3 facing, Int emitter, Float chance, Mask mask) {
     Int way = gather_int(world.light_ways, emitter, mask);
     Mask going = both(mask, is_above(way, Int(-1)));
-    Float result = select(going, chance, Float(0.0f));
+    Float result = Float(0.0f);
     Int node = Int(0);
+    TreeCut cut = cut_tree(world, from, facing, way, going);
+    for (int i = 0; i < cut.count; ++i) {
+        Mask here = both(going, is_above(cut.way[i], Int(-1)));
+        node = select(here, cut.node[i], node);
+        way = select(here, cut.way[i], way);
+        result = select(here, chance * (cut.weight[i] / max(cut.sum, Float(SMALLEST))), result);
+    }
+    going = both(going, result > Float(0.0f));
     while (some(going)) {
         Int child = child_of(world, node, going);
         going = both(going, is_above(child, Int(-1)));

@@ -19,11 +19,13 @@ NAMESPACE_BEGIN
 const int MOST_MEETINGS = 65536;  // in one flight through a grid; what is thicker lets nothing through
 
 struct Flight {
-    Mask scattered;     // within reach
-    Float distance;     // to where it is, in metres
-    Spectrum weight;    // of the path from there on, or from the end of its reach on
-    Spectrum emission;  // radiance that the medium adds, to be multiplied by what the path carried at the start
-    Int phase;          // PHASE_*
+    Mask scattered;       // within reach
+    Float distance;       // to where it is, in metres
+    Spectrum weight;      // of the path from there on, or from the end of its reach on
+    Spectrum emission;    // radiance that the medium adds, to be multiplied by what the path carried at the start
+    Spectrum extinction;  // per metre, where it scattered
+    Spectrum thinned;     // by which the chance to come so far fell with the distance, as far as that is known: 1 for grids
+    Int phase;            // PHASE_*
     Float asymmetry;
 };
 
@@ -33,6 +35,8 @@ FN Flight no_flight() {
     f.distance = Float(0.0f);
     f.weight = vec4_all(Float(1.0f));
     f.emission = black();
+    f.extinction = vec4_all(Float(1.0f));
+    f.thinned = vec4_all(Float(1.0f));
     f.phase = Int(PHASE_HENYEY_GREENSTEIN);
     f.asymmetry = Float(0.0f);
     return f;
@@ -101,6 +105,8 @@ FN Flight fly_evenly(IN(WorldRecord) world, IN(VolumeRecord) volume, Float reach
         Spectrum lost = there * c.extinction;
         Spectrum turned = lost * c.albedo / max(sum_of(chances * lost), Float(SMALLEST));
         f.weight = select(f.scattered, turned, there / max(sum_of(chances * there), Float(SMALLEST)));
+        f.extinction = c.extinction;
+        f.thinned = there;
     }
     return f;
 }
@@ -145,6 +151,7 @@ FN Flight fly_through_grid(IN(WorldRecord) world, IN(VolumeRecord) volume, Vec3 
             Spectrum on = weight * (vec4_all(Float(1.0f)) - there) / max(Float(1.0f) - turns, Float(ROUNDING));
             f.weight = select(scatters, turned, select(met, on, f.weight));
             f.distance = select(scatters, m.t, f.distance);
+            f.extinction = select(scatters, density * c.extinction, f.extinction);
             f.scattered = either(f.scattered, scatters);
             todo = without(without(met, scatters), is_black(f.weight));
         }
@@ -176,6 +183,8 @@ FN_LARGE Flight fly(IN(WorldRecord) world, Int volume, Vec3 origin, Vec3 directi
         f.distance = select(mine, own.distance, f.distance);
         f.weight = select(mine, own.weight, f.weight);
         f.emission = select(mine, own.emission, f.emission);
+        f.extinction = select(mine, own.extinction, f.extinction);
+        f.thinned = select(mine, own.thinned, f.thinned);
         f.phase = select(mine, Int(record.phase), f.phase);
         f.asymmetry = select(mine, Float(record.asymmetry), f.asymmetry);
         todo = without(todo, mine);
@@ -218,9 +227,9 @@ FN Spectrum grid_transmittance(IN(WorldRecord) world, IN(VolumeRecord) volume, V
 }
 
 // The share of light that is neither absorbed nor scattered in `reach` metres through each lane's volume: exact where it is even, else right in the
-// mean.
+// mean. `thinned` is multiplied by what the chance to fly so far is known to fall to, as of a Flight.
 FN_LARGE Spectrum transmittance_of_volume(IN(WorldRecord) world, Int volume, Vec3 origin, Vec3 direction, Float reach, Vec4 nanometres,
-                                          IN(Sampler) numbers, Mask mask, INOUT(UInt) number) {
+                                          IN(Sampler) numbers, Mask mask, INOUT(UInt) number, INOUT(Spectrum) thinned) {
     Spectrum left_over = vec4_all(Float(1.0f));
     Mask todo = both(mask, is_above(volume, Int(-1)));
     while (some(todo)) {
@@ -232,6 +241,9 @@ FN_LARGE Spectrum transmittance_of_volume(IN(WorldRecord) world, Int volume, Vec
             own = grid_transmittance(world, record, origin, direction, reach, nanometres, numbers, mine, number);
         } else {
             own = exponentials(volume_coefficients(world, record, nanometres, mine).extinction * -reach);
+            if ((record.flags & VOLUME_SCATTERS) != 0) {
+                thinned = select(mine, thinned * own, thinned);
+            }
         }
         left_over = select(mine, own, left_over);
         todo = without(todo, mine);

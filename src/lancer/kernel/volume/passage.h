@@ -86,8 +86,10 @@ struct Passage {
     Media media;
     Spectrum throughput;
     Spectrum emission;  // radiance that the media have added
+    Spectrum thinned;   // as of a Flight, all along
     Mask scattered;     // in a medium:
     Vec3 position;
+    Spectrum extinction;
     Int phase;
     Float asymmetry;
     Mask lost;  // passed too many borders
@@ -106,6 +108,8 @@ FN_LARGE Passage pass_media(IN(WorldRecord) world, IN(Sampler) numbers, int dept
     p.media = media;
     p.throughput = throughput;
     p.emission = black();
+    p.thinned = vec4_all(Float(1.0f));
+    p.extinction = vec4_all(Float(1.0f));
     p.scattered = without(alive, alive);
     p.position = origin;
     p.phase = Int(PHASE_HENYEY_GREENSTEIN);
@@ -129,6 +133,8 @@ FN_LARGE Passage pass_media(IN(WorldRecord) world, IN(Sampler) numbers, int dept
             p.throughput = select(filled, p.throughput * f.weight, p.throughput);
             p.position = select(f.scattered, p.ray.origin + direction * f.distance, p.position);
             p.before = select(f.scattered, p.before + f.distance, p.before);
+            p.thinned = select(filled, p.thinned * f.thinned, p.thinned);
+            p.extinction = select(f.scattered, f.extinction, p.extinction);
             p.phase = select(f.scattered, f.phase, p.phase);
             p.asymmetry = select(f.scattered, f.asymmetry, p.asymmetry);
             p.scattered = either(p.scattered, f.scattered);
@@ -166,10 +172,12 @@ FN_LARGE Passage pass_media(IN(WorldRecord) world, IN(Sampler) numbers, int dept
 
 // ---- Light ---------------------------------------------------------------------------------------------------------------------------------
 
-// What share of light comes along each ray to its reach, from within `media`. Numbers from `decision` on.
-FN_LARGE Spectrum passing_spectrum(IN(WorldRecord) world, IN(Ray) shadow, IN(Media) media, Vec4 nanometres, IN(Sampler) numbers,
-                                   UInt decision, Mask asking) {
+// What share of light comes along each ray to its reach, from within `media`. Numbers from `decision` on. `thinned` becomes that of a path that flies
+// there, see Flight.
+FN_LARGE Spectrum passing_thinned(IN(WorldRecord) world, IN(Ray) shadow, IN(Media) media, Vec4 nanometres, IN(Sampler) numbers,
+                                  UInt decision, Mask asking, INOUT(Spectrum) thinned) {
     Spectrum share = vec4_all(Float(1.0f));
+    thinned = share;
     Media around = media;
     Ray ray = shadow;
     UInt number = decision;
@@ -196,7 +204,8 @@ FN_LARGE Spectrum passing_spectrum(IN(WorldRecord) world, IN(Ray) shadow, IN(Med
             Int volume = volume_of(world, around.first, todo);
             Mask filled = both(todo, is_above(volume, Int(-1)));
             if (some(filled)) {
-                share = share * transmittance_of_volume(world, volume, ray.origin, ray.direction, way, nanometres, numbers, filled, number);
+                share = share * transmittance_of_volume(world, volume, ray.origin, ray.direction, way, nanometres, numbers, filled, number,
+                                                        thinned);
             }
             share = share * left_of_light(world, around.first, way, nanometres, both(todo, way < Float(FAR)));
             Vec3 next = leave_surface(c.position, c.error, c.normal, ray.direction);
@@ -209,6 +218,12 @@ FN_LARGE Spectrum passing_spectrum(IN(WorldRecord) world, IN(Ray) shadow, IN(Med
         }
     }
     return select(todo, black(), share);
+}
+
+FN Spectrum passing_spectrum(IN(WorldRecord) world, IN(Ray) shadow, IN(Media) media, Vec4 nanometres, IN(Sampler) numbers, UInt decision,
+                             Mask asking) {
+    Spectrum thinned = vec4_all(Float(1.0f));
+    return passing_thinned(world, shadow, media, nanometres, numbers, decision, asking, thinned);
 }
 
 NAMESPACE_END
