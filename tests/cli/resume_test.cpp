@@ -1,4 +1,8 @@
 // Shards, checkpoints, resuming: from outside.
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <csignal>
 
 #include <chrono>
@@ -223,6 +227,45 @@ TEST_F(Resume, AFullDiskKeepsWhatIsThere) {
     EXPECT_EQ(finished.status, 0);
     EXPECT_THAT(finished.err, HasSubstr("no checkpoint"));
     EXPECT_THAT(finished.err, HasSubstr("No space left on device"));
+}
+
+TEST_F(Resume, AReadOnlyFolderKeepsWhatIsThere) {
+    std::filesystem::create_directory(folder_.file("locked"));
+    folder_.write("mount.sh", "mount -t tmpfs tmpfs locked && cp old.txt locked/out.exr && cp old.txt locked/out.exr.checkpoint && "
+                              "mount -o remount,ro locked");
+    folder_.write("old.txt", "older");
+    if (Running(folder_, {"sh", "mount.sh"}).wait().status != 0) {  // permissions alone would not stop a test that runs as root
+        GTEST_SKIP() << "no file system of our own can be mounted here";
+    }
+    const Finished finished = lancer({"render", "scene.toml", "--checkpoint", "20ms", "-o", "locked/out.exr", "--spp", "40"});
+    const std::string picture = folder_.read("locked/out.exr"), checkpoint = folder_.read("locked/out.exr.checkpoint");
+    folder_.write("umount.sh", "umount locked");
+    EXPECT_EQ(Running(folder_, {"sh", "umount.sh"}).wait().status, 0);
+    EXPECT_EQ(picture, "older");
+    EXPECT_EQ(checkpoint, "older");
+    EXPECT_EQ(finished.status, 3);
+    EXPECT_THAT(finished.err, HasSubstr("no checkpoint: cannot write locked/out.exr.checkpoint: Read-only file system"));
+    EXPECT_THAT(finished.err, HasSubstr("cannot write locked/out.exr: Read-only file system"));
+}
+
+// What a killed render leaves half written is removed by the next one in that folder; what another writes at this moment, or another machine, is not.
+TEST_F(Resume, WhatAKillLeavesBehindIsCleanedUp) {
+    char host[256] = {};
+    ASSERT_EQ(::gethostname(host, sizeof(host) - 1), 0);
+    const std::string dead = ".lancer-" + std::string(host) + "-999999-0.part", alive = ".lancer-" + std::string(host) + "-999999-1.part";
+    const std::string elsewhere = ".lancer-elsewhere-1-0.part";
+    for (const std::string& name : {dead, alive, elsewhere}) {
+        folder_.write(name, "half a pict");
+    }
+    const int descriptor = ::open(folder_.file(alive).c_str(), O_RDONLY);
+    ASSERT_EQ(::flock(descriptor, LOCK_EX), 0);
+    EXPECT_EQ(lancer({"render", "scene.toml", "-o", "out.exr", "--spp", "1"}).status, 0);
+    EXPECT_FALSE(folder_.has(dead));
+    EXPECT_TRUE(folder_.has(alive));
+    EXPECT_TRUE(folder_.has(elsewhere));
+    ::close(descriptor);
+    EXPECT_EQ(lancer({"resume", "out.exr"}).status, 0);
+    EXPECT_FALSE(folder_.has(alive));
 }
 
 TEST_F(Resume, BadUseIsExplained) {

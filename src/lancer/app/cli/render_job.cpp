@@ -108,6 +108,7 @@ public:
         if (!prepare_all()) {
             return exit_bad_input;
         }
+        remove_leftovers(outputs_.first);
         Film film(prepared_->options.width, prepared_->options.height);
         std::optional<FilmSums> sums;
         if (prepared_->options.spp > 0) {
