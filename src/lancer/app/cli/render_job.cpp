@@ -204,10 +204,10 @@ private:
         if (prepared_) {
             check_contents(job_, prepared_->contents, diagnostics);
             if (prepared_->device->makes_splats() && needs_film()) {
-                diagnostics.error({},
-                                  "light from the lamps falls on tiles that others have rendered: films, shards, checkpoints and stated "
-                                  "errors are for paths from "
-                                  "the camera (--integrator path)");
+                diagnostics.error(
+                    {}, fmt::format("--integrator {} follows light from the lamps, which falls on tiles that others have rendered: "
+                                    "films, shards, checkpoints, stated errors and --clamp are for --integrator path",
+                                    scene::chosen_integrator(prepared_->scene)));
             }
             if (job_.shard) {
                 prepared_->options.shard = job_.shard->shard;
@@ -219,7 +219,8 @@ private:
     }
 
     bool needs_film() const {
-        return job_.shard || job_.render.error || job_.checkpoint.value_or(0.0) > 0.0 || begun_ || !outputs_.films.empty();
+        return job_.shard || job_.render.error || job_.render.clamp || job_.checkpoint.value_or(0.0) > 0.0 || begun_ ||
+               !outputs_.films.empty();
     }
 
     // What has gone through checkpoints stays open for more samples.
