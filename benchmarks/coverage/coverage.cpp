@@ -148,7 +148,7 @@ Film converged_film(const Subject& subject, const Setting& setting) {
 }
 
 void measure(const Subject& subject, const Setting& setting) {
-        std::vector<double> truth(static_cast<std::size_t>(setting.width * setting.height), subject.truth);
+    std::vector<double> truth(static_cast<std::size_t>(setting.width * setting.height), subject.truth);
     if (subject.truth == 0.0) {
         const Film converged = converged_film(subject, setting);
         for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -159,7 +159,8 @@ void measure(const Subject& subject, const Setting& setting) {
     double inside = 0.0, counted = 0.0, heavy = 0.0, samples = 0.0, worst = 1.0, known = 0.0;
     for (int seed = 1; seed <= setting.seeds; ++seed) {
         const Picture picture(subject, setting, seed, setting.error, 1 << 10);
-        const std::vector<Interval> intervals = IntervalRule(setting.confidence, picture.floor).of(picture.sums, {0, 0, setting.width, setting.height});
+        const std::vector<Interval> intervals =
+            IntervalRule(setting.confidence, picture.floor).of(picture.sums, {0, 0, setting.width, setting.height});
         double inside_here = 0.0, counted_here = 0.0;
         for (std::size_t i = 0; i < truth.size(); ++i) {
             const Interval& interval = intervals[i];

@@ -83,7 +83,7 @@ TEST_F(Frames, OfOtherInputsAreMadeAnew) {
 }
 
 TEST_F(Frames, ThatAreBrokenAreMadeAnew) {
-    for (const std::string ending : {"exr", "png", "jpg"}) {  // what reads TIFF fills up what is missing
+    for (const std::string ending : {"exr", "png", "jpg", "tif"}) {
         const Words words = {"--frames", "0:1", "-o", "f.#." + ending};
         ASSERT_EQ(render(words).status, 0);
         const std::string whole = folder.read("f.1." + ending);

@@ -1,4 +1,8 @@
 // Shards, checkpoints, resuming: from outside.
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <csignal>
 
 #include <chrono>
@@ -223,6 +227,63 @@ TEST_F(Resume, AFullDiskKeepsWhatIsThere) {
     EXPECT_EQ(finished.status, 0);
     EXPECT_THAT(finished.err, HasSubstr("no checkpoint"));
     EXPECT_THAT(finished.err, HasSubstr("No space left on device"));
+}
+
+// Read-only from the start, and from the middle of a render on. (Permissions alone would not stop a test that runs as root.)
+TEST_F(Resume, AReadOnlyFolderKeepsWhatIsThere) {
+    const auto shell = [&](const std::string& line) {
+        folder_.write("line.sh", line);
+        return Running(folder_, {"sh", "line.sh"}).wait().status == 0;
+    };
+    std::filesystem::create_directory(folder_.file("locked"));
+    if (!shell("mount -t tmpfs tmpfs locked && echo older > locked/out.exr && mount -o remount,ro locked")) {
+        GTEST_SKIP() << "no file system of our own can be mounted here";
+    }
+    const Finished refused = lancer({"render", "scene.toml", "-o", "locked/out.exr"});
+    EXPECT_TRUE(shell("mount -o remount,rw locked"));
+    Running running(folder_, {LANCER_PROGRAM, "render", "scene.toml", "--spp", "100000", "--checkpoint", "50ms", "-o", "locked/out.exr"});
+    bool locked = false;
+    for (int i = 0; i < 1000 && running.is_alive() && !locked; ++i) {  // not while a file is being written
+        std::this_thread::sleep_for(std::chrono::milliseconds(7));
+        locked = folder_.has("locked/out.exr.checkpoint") && shell("mount -o remount,ro locked");
+    }
+    const std::string checkpoint = folder_.read("locked/out.exr.checkpoint");
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    running.signal(SIGINT);
+    const Finished stopped = running.wait();
+    const std::string picture = folder_.read("locked/out.exr");
+    const bool kept = folder_.read("locked/out.exr.checkpoint") == checkpoint;
+    EXPECT_TRUE(shell("umount locked"));
+
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err, HasSubstr("-o locked/out.exr: no permission to write in the folder locked"));
+    EXPECT_TRUE(locked);
+    EXPECT_EQ(stopped.status, 3);
+    EXPECT_THAT(stopped.err, HasSubstr("no checkpoint: cannot write locked/out.exr.checkpoint: Read-only file system"));
+    EXPECT_THAT(stopped.err, HasSubstr("cannot write locked/out.exr: Read-only file system"));
+    EXPECT_EQ(picture, "older\n");
+    EXPECT_TRUE(kept);
+    EXPECT_GT(checkpoint.size(), 1000u);
+}
+
+// What a killed render leaves half written is removed by the next one in that folder; what another writes at this moment, or another machine, is not.
+TEST_F(Resume, WhatAKillLeavesBehindIsCleanedUp) {
+    char host[256] = {};
+    ASSERT_EQ(::gethostname(host, sizeof(host) - 1), 0);
+    const std::string dead = ".lancer-" + std::string(host) + "-999999-0.part", alive = ".lancer-" + std::string(host) + "-999999-1.part";
+    const std::string elsewhere = ".lancer-elsewhere-1-0.part";
+    for (const std::string& name : {dead, alive, elsewhere}) {
+        folder_.write(name, "half a pict");
+    }
+    const int descriptor = ::open(folder_.file(alive).c_str(), O_RDONLY);
+    ASSERT_EQ(::flock(descriptor, LOCK_EX), 0);
+    EXPECT_EQ(lancer({"render", "scene.toml", "-o", "out.exr", "--spp", "1"}).status, 0);
+    EXPECT_FALSE(folder_.has(dead));
+    EXPECT_TRUE(folder_.has(alive));
+    EXPECT_TRUE(folder_.has(elsewhere));
+    ::close(descriptor);
+    EXPECT_EQ(lancer({"resume", "out.exr"}).status, 0);
+    EXPECT_FALSE(folder_.has(alive));
 }
 
 TEST_F(Resume, BadUseIsExplained) {

@@ -361,17 +361,17 @@ TEST(Pbrt, PartsOfTheFilmAndShiftedWindows) {
     // The same part, by the window of the screen: the shorter side runs from -1 to 1.
     const scene::Scene moved = seen("\"float screenwindow\" [-0.53333333333 0.8 -0.4 0.6]", "");
     const Film all = film_of(whole, 40, 30, 64), crop = film_of(part, 20, 15, 64), window = film_of(moved, 20, 15, 64);
-    int same = 0, same_window = 0, lit = 0;
+    int same = 0, same_window = 0, bright = 0;
     for (int y = 0; y < 15; ++y) {
         for (int x = 0; x < 20; ++x) {
             const float there = all.radiance[static_cast<std::size_t>((y + 6) * 40 + x + 12)].y;
             same += std::abs(crop.radiance[static_cast<std::size_t>(y * 20 + x)].y - there) < 0.05f ? 1 : 0;
             same_window += std::abs(window.radiance[static_cast<std::size_t>(y * 20 + x)].y - there) < 0.05f ? 1 : 0;
-            lit += there > 0.5f ? 1 : 0;
+            bright += there > 0.5f ? 1 : 0;
         }
     }
-    EXPECT_GT(lit, 60);
-    EXPECT_LT(lit, 240);
+    EXPECT_GT(bright, 60);
+    EXPECT_LT(bright, 240);
     EXPECT_GT(same, 285) << "of 300, but for noise at edges";
     EXPECT_GT(same_window, 285);
     const scene::Scene wide = seen("\"float frameaspectratio\" 2.6666666667", "");

@@ -69,6 +69,26 @@ TEST(TimeLeft, CountsHardTilesForWhatTheyCost) {
     }
 }
 
+// A goal that turns out harder than it looked: of 1600 samples 700 are expected at first, and more each time.
+TEST(TimeLeft, LearnsFromWhatWasExpectedTooLow) {
+    constexpr std::size_t tiles = 20;
+    constexpr double all = 1600.0;
+    TimeLeft left(std::vector<double>(tiles, 1024.0));
+    double work = 0.0;
+    for (double samples = 0.0; samples < all;) {
+        const double more = samples < 64.0 ? 16.0 : std::min(samples / 2.0, all - samples);
+        samples += more;
+        const double expected = all * std::pow(samples / all, 0.18);
+        for (std::size_t tile = 0; tile < tiles; ++tile) {
+            work += more;
+            left.add(tile, more, more, expected - samples);
+        }
+        if (samples >= 0.1 * all) {
+            EXPECT_NEAR(left.seconds(work), all * tiles - work, 0.01 * all * tiles) << samples;
+        }
+    }
+}
+
 // What a resumed picture finds done takes no time.
 TEST(TimeLeft, SkipsWhatIsDone) {
     TimeLeft left({1.0, 1.0, 1.0, 1.0});

@@ -55,7 +55,7 @@ struct RunSums {
     int length = 1;
     float largest = 0.0f;  // of the samples, in size
     double squares = 0.0;  // of all samples
-    double total = 0.0;  // of the picture's own sums
+    double total = 0.0;    // of the picture's own sums
     std::uint32_t count = 0;
 
     double mean() const { return count > 0 ? total / static_cast<double>(count) : 0.0; }

@@ -109,7 +109,8 @@ private:
                             intervals.begin() + static_cast<std::ptrdiff_t>(film_.index(block.x0, y)));
             }
         }
-        add1("interval.low", Stored::float32, [&](std::size_t i) { return static_cast<float>(intervals[i].middle - intervals[i].half_width); });
+        add1("interval.low", Stored::float32,
+             [&](std::size_t i) { return static_cast<float>(intervals[i].middle - intervals[i].half_width); });
         add1("interval.high", Stored::float32,
              [&](std::size_t i) { return static_cast<float>(intervals[i].middle + intervals[i].half_width); });
         add1("interval.tail", Stored::float32, [&](std::size_t i) { return intervals[i].heavy() ? 1.0f : 0.0f; });

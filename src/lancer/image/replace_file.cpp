@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,6 +11,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "lancer/base/failure.h"
 
@@ -25,7 +27,40 @@ std::string folder_of(const std::string& path) {
     return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
+// Of this machine's files; others may write to the same folder.
+std::string start_of_names() {
+    char host[256] = {};
+    ::gethostname(host, sizeof(host) - 1);
+    return fmt::format(".lancer-{}-", host);
+}
+
+// Whoever writes a file holds its lock, which ends with the process. Whether the file is still there then.
+bool lock(int descriptor) {
+    struct stat status {};
+    while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
+    }
+    return ::fstat(descriptor, &status) != 0 || status.st_nlink > 0;
+}
+
 }  // namespace
+
+void remove_leftovers(const std::string& path) {
+    const std::string start = start_of_names();
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_of(path), ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(start) || !name.ends_with(".part")) {
+            continue;
+        }
+        const int descriptor = ::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC);
+        if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
+            ::unlink(entry.path().c_str());
+        }
+        if (descriptor >= 0) {
+            ::close(descriptor);
+        }
+    }
+}
 
 ReplacementFile::ReplacementFile(const std::string& path) : path_(path) {
     const std::string folder = folder_of(path);
@@ -38,12 +73,19 @@ ReplacementFile::ReplacementFile(const std::string& path) : path_(path) {
         fail(path, EISDIR);
     }
     static std::atomic<unsigned> count = 0;
-    do {  // a name may be left over from a process that was killed
-        name_ = fmt::format("{}/.lancer-{}-{}.part", folder, ::getpid(), count++);
+    const std::string start = start_of_names();
+    for (;;) {  // a name may be left over from a process that was killed
+        name_ = fmt::format("{}/{}{}-{}.part", folder, start, ::getpid(), count++);
         descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    } while (descriptor_ < 0 && (errno == EEXIST || errno == EINTR));
-    if (descriptor_ < 0) {
-        fail(path_, errno);
+        if (descriptor_ >= 0 && lock(descriptor_)) {
+            break;
+        }
+        if (descriptor_ >= 0) {  // taken for a leftover before it was locked
+            ::close(descriptor_);
+            descriptor_ = -1;
+        } else if (errno != EEXIST && errno != EINTR) {
+            fail(path_, errno);
+        }
     }
 }
 

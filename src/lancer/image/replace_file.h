@@ -28,6 +28,9 @@ private:
     bool in_place_ = false;
 };
 
+// Removes what processes of this machine that were killed have left half written in the folder of `path`. What is being written stays.
+void remove_leftovers(const std::string& path);
+
 // Writes `bytes` to a temporary file in the folder of `path` and renames it to `path`. Throws as above.
 void replace_file(const std::string& path, std::string_view bytes);
 

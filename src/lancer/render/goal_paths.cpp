@@ -7,10 +7,11 @@ namespace lancer {
 static_assert(PathSampler::tile_size == interval_block);  // so that tiles are decided by what the picture says of itself
 
 GoalPathSampler::GoalPathSampler(const Device& device, const FilmState& state, const ErrorGoal& goal, int limit)
-    : tracer_(device, state.sums()->layers()), goal_(goal), rule_(goal.confidence, goal.floor), layers_(state.sums()->layers()), limit_(limit) {}
+    : tracer_(device, state.sums()->layers()), goal_(goal), rule_(goal.confidence, goal.floor), layers_(state.sums()->layers()),
+      limit_(limit) {}
 
 bool GoalPathSampler::extend(const Tile& part, int to_level, const Tile& whole, FilmState& copy, RayCounts& counts,
-                                   const std::atomic<bool>* cancel) {
+                             const std::atomic<bool>* cancel) {
     // Not too many at once, for the memory's sake.
     constexpr int at_once = 8 * samples_of_level;
     int samples = static_cast<int>(copy.film().samples[copy.film().index(part.x0 - whole.x0, part.y0 - whole.y0)]);

@@ -15,8 +15,8 @@
 #include "lancer/base/thread_clock.h"
 #include "lancer/film/display.h"
 #include "lancer/render/adaptive.h"
-#include "lancer/render/paths.h"
 #include "lancer/render/goal_paths.h"
+#include "lancer/render/paths.h"
 #include "lancer/render/threads.h"
 #include "lancer/render/time_left.h"
 #include "lancer/render/uniform.h"
@@ -130,8 +130,8 @@ private:
         std::int64_t samples = 0;
         for (int y = place.y0; y < place.y1; ++y) {
             for (int x = place.x0; x < place.x1; ++x) {
-                samples +=
-                    std::min(static_cast<std::int64_t>(state_.film().samples[state_.film().index(x, y)]), std::int64_t{samples_limit(options_)});
+                samples += std::min(static_cast<std::int64_t>(state_.film().samples[state_.film().index(x, y)]),
+                                    std::int64_t{samples_limit(options_)});
             }
         }
         return samples;

@@ -58,8 +58,8 @@ bool is_finished(const RenderOptions& options, const FilmState& state, std::size
 
 // What a render tells while it runs. Called from worker threads, one call at a time.
 struct RenderProgress {
-    std::int64_t pixels_done = 0;  // paths: times the samples of each
-    std::int64_t pixels_total = 0;  // at most
+    std::int64_t pixels_done = 0;    // paths: times the samples of each
+    std::int64_t pixels_total = 0;   // at most
     std::uint64_t samples_done = 0;  // camera samples, since the start
     double share = 0.0;              // of all that is to be done, in [0, 1]; estimated where that is not known
     double seconds = 0.0;            // since the start

@@ -1,7 +1,8 @@
 // How much of a render's work is done, and how long the rest will take.
 //
 // Work is what threads spend: tiles cost as much a sample as they did so far, and more where more samples are expected. How fast work goes by the
-// clock, with all threads and whatever else the machine does, is what it was so far.
+// clock, with all threads and whatever else the machine does, is what it was so far. Where a goal is to be reached, what is expected grows as more
+// samples find what is rare; how much it has grown for the samples so far says how much it will.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +35,8 @@ private:
         double size = 0.0;
         double work = 0.0;
         double samples = 0.0;
-        double left = 0.0;      // work
+        double samples_left = 0.0;
+        double left = 0.0;       // work
         double expected = -1.0;  // samples of a tile that has none; below 0: not known
     };
     double work_left() const;
@@ -45,6 +47,9 @@ private:
     double samples_ = 0.0;
     double left_ = 0.0;
     double size_ = 0.0;
+    // Logarithms of the growth of what was expected of a tile, and of its samples meanwhile, weighted by work.
+    double growth_ = 0.0;
+    double samples_growth_ = 0.0;
     // And over those that were not: samples where these are known, size where they are not.
     double expected_ = 0.0;
     double unknown_ = 0.0;

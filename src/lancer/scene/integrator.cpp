@@ -89,7 +89,7 @@ std::string lacking(const Scene& scene, const std::string& integrator) {
     for (const std::string& aov : scene.settings.aovs) {
         // Of light that falls anywhere nobody knows how often it was scattered, nor what it would have been in another run. Paths of light alone see
         // nothing first.
-        const bool of_light = aov == "direct" || aov == "indirect" || aov == "variance";
+        const bool of_light = aov == "direct" || aov == "indirect" || aov == "variance" || aov == "interval";
         if (of_light || (integrator == "light" && aov != "samples")) {
             return "the AOV " + aov;
         }

@@ -109,6 +109,7 @@ public:
         if (!prepare_all()) {
             return exit_bad_input;
         }
+        remove_leftovers(outputs_.first);
         Film film(prepared_->options.width, prepared_->options.height);
         std::optional<FilmSums> sums;
         if (prepared_->options.spp > 0) {
@@ -193,14 +194,20 @@ private:
         }
         times_.load = seconds_since(load_start);
         const auto prepare_start = Clock::now();
+        if (scene && asks_for_errors() && scene->settings.integrator == "auto" && !job_.render.integrator &&
+            scene::starts_at_lamps(scene::chosen_integrator(*scene))) {
+            scene->settings.integrator = "path";  // the next best whose errors can be told
+        }
         if (scene && !diagnostics.has_errors()) {
             prepared_ = prepare(std::move(*scene), job_.render, render_command(file, job_.render), diagnostics);
         }
         times_.prepare = seconds_since(prepare_start);
         if (prepared_) {
             check_contents(job_, prepared_->contents, diagnostics);
-            if (prepared_->device->makes_splats() && job_.render.error) {
-                diagnostics.error({}, "light from the lamps falls anywhere: stated errors are for paths from the camera (--integrator path)");
+            if (prepared_->device->makes_splats() && asks_for_errors()) {
+                diagnostics.error({}, fmt::format("--integrator {} follows light from the lamps, which falls anywhere: "
+                                                  "stated errors and --clamp are for --integrator path",
+                                                  scene::chosen_integrator(prepared_->scene)));
             }
             if (job_.shard) {
                 prepared_->options.shard = job_.shard->shard;
@@ -210,6 +217,8 @@ private:
         print_diagnostics(diagnostics, job_.quiet);
         return prepared_ && !diagnostics.has_errors();
     }
+
+    bool asks_for_errors() const { return job_.render.error || job_.render.clamp; }
 
     // What has gone through checkpoints stays open for more samples.
     void keep(Checkpoints& checkpoints, bool finished, int count) {

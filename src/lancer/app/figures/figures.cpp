@@ -47,9 +47,7 @@ public:
         current_ = work;
         show(0.0);
     }
-    void tile_done(const Film&, const Tile&, const RenderProgress& progress) override {
-        show(progress.share);
-    }
+    void tile_done(const Film&, const Tile&, const RenderProgress& progress) override { show(progress.share); }
     void clear() { printer_.clear(); }
     double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 

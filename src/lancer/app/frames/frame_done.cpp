@@ -8,6 +8,7 @@
 #include "lancer/film/film_file.h"
 #include "lancer/image/layers.h"
 #include "lancer/image/said.h"
+#include "lancer/image/tiff_whole.h"
 
 namespace lancer::app {
 
@@ -17,6 +18,13 @@ namespace {
 Metadata texts_of(const std::string& path) {
     if (is_film(path)) {
         return FilmFile(path).about().texts;
+    }
+    if (const std::string ending = file_ending(path); ending == ".tif" || ending == ".tiff") {
+        Diagnostics ignored;
+        const auto bytes = read_file(path, {}, ignored);
+        if (!bytes || !is_whole_tiff(bytes->view())) {
+            return {};
+        }
     }
     LayeredImage picture = read_layers(path);
     if (!picture.metadata.empty() || file_ending(path) == ".exr") {
