@@ -17,7 +17,7 @@ picture() {
     *.*) scene=scenes/$scene ;;
     *) scene=scenes/$scene.toml ;;
     esac
-    "$lancer" render "$scene" -o "docs/pictures/$name.png" --progress plain "$@" 2>/dev/null
+    "$lancer" render "$scene" -o "docs/pictures/$name.png" --checkpoint off --progress plain "$@" 2>/dev/null
 }
 
 # flip NAME PICTURE REFERENCE: the map of what differs between two pictures of this folder
@@ -56,7 +56,7 @@ for scene in metals clear-bodies plastics principled facets burley depth-of-fiel
     picture "$scene" "features/$scene" "${small[@]}" --spp 512
 done
 for scene in fog-balls goniometric light-ies projector; do
-    picture "$scene" "features/$scene" "${small[@]}" --spp 2048
+    picture "$scene" "features/$scene" "${small[@]}" --spp 1024
 done
 picture fog-cloud features/fog-cloud "${small[@]}" --spp 512
 picture fog-flame features/fog-flame --size 480x480 --spp 1024
@@ -102,23 +102,24 @@ picture gltf gltf/still-life.glb --size 480x320 --spp 96
 for time in morning noon dusk; do
     picture "pavilion-$time" "gallery/pavilion-$time" "${small[@]}" --spp 256
 done
-for scene in light-shafts night-city; do
+picture night-city gallery/night-city "${small[@]}" --spp 384
+for scene in light-shafts; do
     picture "$scene" "gallery/$scene" "${small[@]}" --spp 1024
 done
 for scene in metal-samples chess-focus diamonds daylight-room; do
-    picture "$scene" "gallery/$scene" "${small[@]}" --spp 512
+    picture "$scene" "gallery/$scene" "${small[@]}" --spp 192
 done
-picture still-life gallery/still-life "${small[@]}" --spp 512
+picture still-life gallery/still-life "${small[@]}" --spp 192
 for scene in goblets flacon; do
-    picture "$scene" "gallery/$scene" --size 480x480 --spp 512
+    picture "$scene" "gallery/$scene" --size 480x480 --spp 192
 done
 
 # Light from the lamps
 picture prism-rainbow gallery/prism "${small[@]}" --spp 192
 picture ring gallery/ring "${small[@]}" --spp 256
-picture diamond-fire gallery/diamond-fire "${small[@]}" --spp 512
-picture pool gallery/pool "${small[@]}" --spp 192
-picture wine-glass gallery/wine-glass --size 400x400 --spp 256
+picture diamond-fire gallery/diamond-fire "${small[@]}" --spp 256
+picture pool gallery/pool "${small[@]}" --spp 96
+picture wine-glass gallery/wine-glass --size 400x400 --spp 128
 # About the same seconds on one machine.
 picture same-seconds-path features/both-ends --integrator path --size 400x300 --spp 96
 picture same-seconds-bdpt features/both-ends --integrator bdpt --size 400x300 --spp 24
