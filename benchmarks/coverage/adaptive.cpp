@@ -50,7 +50,12 @@ public:
     Film render_film(int seed, double error, int spp, Point* point = nullptr) {
         scene_->settings.seed = seed;
         Diagnostics diagnostics;
-        const auto device = make_cpu_device(compile_world(*scene_, scene_->cameras.front(), diagnostics), {});
+        const auto world = compile_world(*scene_, scene_->cameras.front(), diagnostics);
+        if (world == nullptr) {
+            fmt::print(stderr, "{}\n", to_string(diagnostics.list().front()));
+            std::exit(2);
+        }
+        const auto device = make_cpu_device(world, {});
         RenderOptions options;
         options.width = scene_->settings.width;
         options.height = scene_->settings.height;

@@ -53,7 +53,12 @@ void measure(const std::string& path, int width, double error, int spp) {
     scene->settings.width = width;
     scene->settings.height = std::max(8, static_cast<int>(std::lround(width * shape)));
     scene->settings.integrator = "path";
-    const auto device = make_cpu_device(compile_world(*scene, scene->cameras.front(), diagnostics), {});
+    const auto world = compile_world(*scene, scene->cameras.front(), diagnostics);
+    if (world == nullptr) {
+        fmt::print(stderr, "{}\n", to_string(diagnostics.list().front()));
+        std::exit(2);
+    }
+    const auto device = make_cpu_device(world, {});
     RenderOptions options;
     options.width = scene->settings.width;
     options.height = scene->settings.height;
