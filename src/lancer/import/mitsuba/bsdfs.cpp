@@ -165,7 +165,8 @@ scene::Material principled(Builder& builder, Plugin& plugin, bool thin) {
     if (thin) {
         material.refraction = std::max(number_or(builder, plugin, "eta", 1.5), 1.0);
         // From 0 to 2 there.
-        material.passes = changed_value_or(builder, plugin, "diff_trans", 0.0, [](double passes) { return 0.5 * std::clamp(passes, 0.0, 2.0); });
+        material.passes =
+            changed_value_or(builder, plugin, "diff_trans", 0.0, [](double passes) { return 0.5 * std::clamp(passes, 0.0, 2.0); });
     } else {
         // "specular" from 0 to 1 is 0 to 8 % of the light at normal incidence.
         const double mirrored = std::sqrt(0.08 * number_from(builder, plugin, "specular", 0.5));
