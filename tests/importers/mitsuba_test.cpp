@@ -245,7 +245,9 @@ TEST_F(Mitsuba, SpectraStaySpectra) {
     EXPECT_EQ(std::get<scene::MeasuredSpectrum>(color.spectrum->shape).values, (std::vector<double>{0.0, 0.2, 0.8, 0.0}));
     const auto& light = std::get<scene::Color>(scene.materials.at(0).emission.value().radiance);
     ASSERT_TRUE(light.spectrum);
-    EXPECT_EQ(std::get<scene::MeasuredSpectrum>(light.spectrum->shape).values, (std::vector<double>{2.0, 2.0}));
+    EXPECT_EQ(std::get<scene::MeasuredSpectrum>(light.spectrum->shape).values, (std::vector<double>{1.0, 1.0}));
+    EXPECT_EQ(light.spectrum->scale, 2.0);
+    EXPECT_EQ(light.spectrum->as_rgb.value(), scene::Rgb(1.0)) << "white where light is red, green and blue";
 }
 
 TEST_F(Mitsuba, SkiesAreTurnedAndMirrored) {
@@ -276,13 +278,13 @@ TEST_F(Mitsuba, CheckersOfAnyShape) {
 
 // By its definition: the first colour where both coordinates lie in the same half of a unit.
 TEST_F(Mitsuba, CheckersLieWhereMitsubaHasThem) {
-    const scene::Scene scene =
-        good(R"(<sensor type="orthographic"><transform name="to_world"><lookat origin="0 0 5" target="0 0 0" up="0 1 0"/>
+    scene::Scene scene = good(R"(<sensor type="orthographic"><transform name="to_world"><lookat origin="0 0 5" target="0 0 0" up="0 1 0"/>
             </transform><film type="hdrfilm"><rfilter type="box"/></film></sensor>
         <shape type="rectangle"><emitter type="area"><texture name="radiance" type="checkerboard"><rgb name="color0" value="1"/>
         <rgb name="color1" value="0.25"/><transform name="to_uv"><scale x="2" y="1"/><translate x="0.125" y="0.25"/></transform></texture>
         </emitter></shape>)");
     constexpr int size = 32;
+    scene.settings.rgb = true;
     const Film film = film_of(scene, size, size, 4);
     ASSERT_EQ(film.width, size);
     const auto half = [](double x) { return x - std::floor(x) > 0.5; };

@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"Unknown", "background = { illuminant = 'A', brightness = 2 }\n",
               ":1:34: error: a spectrum has no \"brightness\"; it may have illuminant, blackbody, daylight, spectrum, wavelengths, values, "
               "metal, rgb, "
-              "scale, luminance"},
+              "scale, luminance, as_rgb"},
         Wrong{"OnlyOneIndex", "[material.m]\ntype = 'conductor'\nn = 0.2\n[[sphere]]\n", ":3:5: error: \"n\" and \"k\" belong together"},
         Wrong{"IndexAndMetal", "[material.m]\ntype = 'conductor'\nn = 0.2\nk = 3\nmetal = 'gold'\n[[sphere]]\n",
               ":5:9: error: a conductor has either \"n\" and \"k\" or \"metal\""},

@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <glm/geometric.hpp>
 
 #include "lancer/base/file.h"
+#include "lancer/base/overloaded.h"
 #include "lancer/import/default_view.h"
 #include "lancer/import/gltf/gltf.h"
 #include "lancer/import/import.h"
@@ -53,6 +56,33 @@ void read_obj_alone(ImportContext& context, scene::Scene& scene) {
     add_view(context, scene);
 }
 
+// Of length 1, and the same bits when it is that already but for rounding: what is written down and read again stays as it is.
+void straighten(glm::dvec3& direction) {
+    const double length_2 = glm::dot(direction, direction);
+    if (length_2 > 0.0 && std::isfinite(length_2) && std::abs(length_2 - 1.0) > 1e-15) {
+        direction /= std::sqrt(length_2);
+    }
+}
+
+void straighten(scene::Scene& scene) {
+    for (scene::Camera& camera : scene.cameras) {
+        straighten(camera.direction);
+        straighten(camera.up);
+    }
+    for (scene::Light& light : scene.lights) {
+        std::visit(Overloaded{[](scene::PointLight&) {}, [](scene::DirectionalLight& sun) { straighten(sun.direction); },
+                              [](scene::IesLight& lamp) {
+                                  straighten(lamp.direction);
+                                  straighten(lamp.forward);
+                              },
+                              [](auto& thrown) {
+                                  straighten(thrown.direction);
+                                  straighten(thrown.up);
+                              }},
+                   light.model);
+    }
+}
+
 struct Format {
     std::string_view ending;
     Reader read;
@@ -93,6 +123,7 @@ std::optional<scene::Scene> import_scene(const std::string& path, const ImportOp
     scene::Scene scene;
     ImportContext context{path, options, files, report, ours};
     read_scene(context, {}, scene);
+    straighten(scene);
     scene.hash = files.hash();
     scene.inputs = files.inputs();
     const bool failed = ours.has_errors();

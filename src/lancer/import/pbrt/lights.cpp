@@ -346,7 +346,10 @@ void Lights::finish(double brightness) {
     }
     const bool shines =
         std::any_of(scene_.materials.begin(), scene_.materials.end(), [](const scene::Material& m) { return m.emission.has_value(); });
-    if (!shines && scene_.lights.empty() && everywhere_.empty() && environments_.empty()) {
+    const bool glows = std::any_of(scene_.media.begin(), scene_.media.end(), [](const scene::Medium& m) {
+        return m.emission_strength > 0.0 && (m.emission.spectrum || m.emission.rgb != scene::Rgb(0.0));
+    });
+    if (!shines && !glows && scene_.lights.empty() && everywhere_.empty() && environments_.empty()) {
         everywhere_.push_back(Color(scene::Rgb(1.0 / brightness)));
         context_.diagnostics.warning({scene_.file, 0, 0}, "this scene has no light: white light comes from everywhere instead");
     }
