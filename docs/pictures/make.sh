@@ -95,7 +95,7 @@ aov indirect indirect.R,indirect.G,indirect.B --mulc 2 "${encoded[@]}"
 picture gltf gltf/still-life.glb --size 480x320 --spp 96
 
 # Light from the lamps
-picture prism-rainbow gallery/prism "${small[@]}" --spp 192
+picture prism-rainbow gallery/prism "${small[@]}" --spp 96
 picture ring gallery/ring "${small[@]}" --spp 96
 picture diamond-fire gallery/diamond-fire "${small[@]}" --spp 128
 picture pool gallery/pool "${small[@]}" --spp 48
