@@ -115,7 +115,7 @@ for scene in goblets flacon; do
 done
 
 # Light from the lamps
-picture prism-rainbow gallery/prism "${small[@]}" --spp 192
+picture prism-rainbow gallery/prism "${small[@]}" --spp 256
 picture ring gallery/ring "${small[@]}" --spp 256
 picture diamond-fire gallery/diamond-fire "${small[@]}" --spp 256
 picture pool gallery/pool "${small[@]}" --spp 96

@@ -150,6 +150,22 @@ TEST_P(BothEnds, ALensLosesNoLight) {
 
 INSTANTIATE_TEST_SUITE_P(Integrators, BothEnds, testing::Values("light", "bdpt"), [](const auto& one) { return std::string(one.param); });
 
+// Photons are many for each sample, so that few samples tell as much. They are gathered from disks, on a ball that is hardly curved across one.
+TEST(Photons, FurnaceIsAsBrightAsItsSeries) {
+    Physical world(100);
+    world.add(scene::Sphere{{0.0, 0.0, 5.0}, 2.0}, world.material(diffuse(0.5, 1.0, true)));
+    expect_near(mean_of_picture(world, "vcm", 16, 4, 8), 2.0, 0.005);
+}
+
+TEST(Photons, AWhiteBallVanishesUnderAnEvenSky) {
+    Physical world(100);
+    world.add(scene::Sphere{{0.0, 0.0, 0.0}, 1.0}, world.material(diffuse(1.0)));
+    world.set_background(1.0, 1.0, 1.0);
+    world.look({0.0, 0.0, 4.0}, {0.0, 0.0, -1.0});
+    world.scene.cameras[0].fov = 20.0;
+    expect_near(mean_of_picture(world, "vcm", 16, 4, 8), 1.0, 0.02);
+}
+
 // A clear sphere around a lamp, in a white room: refraction squeezes radiance and not power, both halves must know. What is lit is as bright as
 // without the glass but for what the glass throws back, which returns: a furnace.
 TEST(Bidirectional, GlassInAFurnaceVanishes) {
