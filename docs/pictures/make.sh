@@ -117,7 +117,7 @@ done
 # Light from the lamps
 picture prism-rainbow gallery/prism "${small[@]}" --spp 256
 picture ring gallery/ring "${small[@]}" --spp 256
-picture diamond-fire gallery/diamond-fire "${small[@]}" --spp 256
+picture diamond-fire gallery/diamond-fire "${small[@]}" --spp 144
 picture pool gallery/pool "${small[@]}" --spp 96
 picture wine-glass gallery/wine-glass --size 400x400 --spp 128
 # About the same seconds on one machine.

@@ -107,6 +107,7 @@ TEST(LayeredPicture, HoldsWhatWasAsked) {
     EXPECT_EQ(plane(image, "direct.G")[0] + plane(image, "indirect.G")[0], 3.25f);
     EXPECT_EQ(plane(image, "indirect.G")[0], 1.5f);
     EXPECT_EQ(plane(image, "samples"), (std::vector<float>{4.0f, 1.0f}));
+    EXPECT_TRUE(std::isinf(plane(image, "interval.high")[0])) << "four samples tell nothing of their spread";
     EXPECT_EQ(plane(image, "albedo.R"), (std::vector<float>{0.375f, 0.0f}));
     EXPECT_EQ(plane(image, "normal.Z"), (std::vector<float>{0.75f, 0.0f}));
     EXPECT_EQ(plane(image, "depth.Z")[0], 1.0f);

@@ -169,7 +169,7 @@ FilmLayers layers_for(const PictureContents& contents) {
     layers.surface = has({Aov::albedo, Aov::normal, Aov::depth, Aov::position, Aov::uv});
     layers.ids = has({Aov::object_id, Aov::material_id});
     layers.spectral_bins = contents.spectral_bins;
-    layers.runs = contents.runs;
+    layers.runs = contents.runs || has({Aov::interval});
     layers.clamp = contents.clamp;
     return layers;
 }
