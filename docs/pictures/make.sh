@@ -102,7 +102,7 @@ picture gltf gltf/still-life.glb --size 480x320 --spp 96
 for time in morning noon dusk; do
     picture "pavilion-$time" "gallery/pavilion-$time" "${small[@]}" --spp 256
 done
-picture night-city gallery/night-city "${small[@]}" --spp 384
+picture night-city gallery/night-city "${small[@]}" --spp 128
 for scene in light-shafts; do
     picture "$scene" "gallery/$scene" "${small[@]}" --spp 1024
 done
