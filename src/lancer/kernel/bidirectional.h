@@ -201,9 +201,9 @@ FN_LARGE void camera_step(IN(WorldRecord) world, int depth, int kept, bool gathe
         }
         if (some(sub.path.alive)) {
             Mask asking = both(sub.path.alive, v.valid);
+            Vec2 choice = decide(sub.path, depth, DECISION_CHOICE);
             if (some(asking)) {
                 if (world.emitter_count > 0) {
-                    Vec2 choice = decide(sub.path, depth, DECISION_CHOICE);
                     Spectrum brought =
                         join_emitter(world, depth, v, sub, choice.x, decide(sub.path, depth, DECISION_LIGHT), asking, merging, tally);
                     sub.path.radiance = sub.path.radiance + brought;
@@ -222,7 +222,6 @@ FN_LARGE void camera_step(IN(WorldRecord) world, int depth, int kept, bool gathe
                     }
                 }
             }
-            Vec2 choice = decide(sub.path, depth, DECISION_CHOICE);
             scatter_subpath(world, depth, false, choice.y, v, merging, sub);
         }
     }

@@ -4,7 +4,7 @@
 #define LANCER_KERNEL_CUTS_H
 
 #include "lancer/kernel/intersect.h"
-#include "lancer/kernel/material.h"
+#include "lancer/kernel/medium.h"
 #include "lancer/kernel/sampler.h"
 
 NAMESPACE_BEGIN
@@ -21,20 +21,19 @@ struct CutLayer {
     Vec3 normal;
 };
 
-// The refractive index of a material at each wavelength.
-FN Spectrum index_of(IN(WorldRecord) world, int material, Vec4 nanometres, Mask mask) {
-    Spectrum index = vec4_all(refractive_index(world, Int(material), nanometres.x, mask));
-    if (world.spectral != 0 && AT(world.media, material).dispersive != 0) {
-        index.y = refractive_index(world, Int(material), nanometres.y, mask);
-        index.z = refractive_index(world, Int(material), nanometres.z, mask);
-        index.w = refractive_index(world, Int(material), nanometres.w, mask);
-    }
-    return index;
-}
+// What becomes of light that meets a pane, at each wavelength.
+struct PaneLight {
+    Spectrum mirrored;
+    Spectrum passes;  // its tint included
+};
 
-// What a pane of `material` reflects, before its tint.
-FN Spectrum pane_share(IN(WorldRecord) world, int material, IN(SurfacePoint) s, Vec3 direction, Vec4 nanometres, Mask mask) {
-    return pane_spectrum(abs(dot(s.shading, direction)), index_of(world, material, nanometres, mask));
+// `number`: of the material.
+FN PaneLight pane_light(IN(WorldRecord) world, IN(MaterialRecord) material, int number, IN(SurfacePoint) s, Vec3 direction, Vec4 nanometres,
+                        Mask mask) {
+    PaneLight light;
+    light.mirrored = pane_spectrum(abs(dot(s.shading, direction)), refractive_indices(world, Int(number), nanometres, mask));
+    light.passes = color_value(world, material.color, s, nanometres, mask) * (vec4_all(Float(1.0f)) - light.mirrored);
+    return light;
 }
 
 // Textures are looked at in full detail, so that edges stay where they are and rays to lamps find the same as paths do.
@@ -67,11 +66,10 @@ FN CutLayer meet_layer(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Vec4 nan
                 opacity = select(dot(s.normal, ray.direction) > Float(0.0f), Float(0.0f), opacity);
             }
             if (is_pane) {
-                Spectrum share = pane_share(world, object.material, s, ray.direction, nanometres, mine);
-                Spectrum through = color_value(world, material.color, s, nanometres, mine) * (vec4_all(Float(1.0f)) - share);
-                layer.passes = select(mine, vec4_all(Float(1.0f) - opacity) + through * opacity, layer.passes);
+                PaneLight light = pane_light(world, material, object.material, s, ray.direction, nanometres, mine);
+                layer.passes = select(mine, vec4_all(Float(1.0f) - opacity) + light.passes * opacity, layer.passes);
                 layer.tints = either(layer.tints, mine);
-                opacity = opacity * mean(share);
+                opacity = opacity * mean(light.mirrored);
             }
             layer.opacity = select(mine, opacity, layer.opacity);
             layer.position = select(mine, s.position, layer.position);

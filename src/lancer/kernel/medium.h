@@ -43,6 +43,17 @@ FN Mask is_dispersive(IN(WorldRecord) world, Int material, Mask alive) {
     return disperses;
 }
 
+// At each wavelength; 1 outside of all bodies.
+FN Spectrum refractive_indices(IN(WorldRecord) world, Int material, Vec4 nanometres, Mask alive) {
+    Spectrum n = vec4_all(refractive_index(world, material, nanometres.x, alive));
+    if (world.spectral != 0 && some(is_dispersive(world, material, alive))) {
+        n.y = refractive_index(world, material, nanometres.y, alive);
+        n.z = refractive_index(world, material, nanometres.z, alive);
+        n.w = refractive_index(world, material, nanometres.w, alive);
+    }
+    return n;
+}
+
 NAMESPACE_END
 
 #endif

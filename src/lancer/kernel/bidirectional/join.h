@@ -3,7 +3,7 @@
 #ifndef LANCER_KERNEL_BIDIRECTIONAL_JOIN_H
 #define LANCER_KERNEL_BIDIRECTIONAL_JOIN_H
 
-#include "lancer/kernel/bidirectional/subpath.h"
+#include "lancer/kernel/bidirectional/start.h"
 
 NAMESPACE_BEGIN
 

@@ -5,7 +5,7 @@
 #define LANCER_KERNEL_BIDIRECTIONAL_MERGE_H
 
 #include "lancer/kernel/bidirectional/join.h"
-#include "lancer/kernel/bidirectional/subpath.h"
+#include "lancer/kernel/bidirectional/start.h"
 
 NAMESPACE_BEGIN
 

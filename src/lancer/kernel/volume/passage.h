@@ -52,10 +52,9 @@ FN Crossing meet_border(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, IN(Medi
             Mask inside = both(mine, dot(s.normal, ray.direction) > Float(0.0f));
             Mask open = mine;
             if (is_pane) {
-                Spectrum share = pane_share(world, object.material, s, ray.direction, nanometres, mine);
-                Spectrum passes = color_value(world, material.color, s, nanometres, mine) * (vec4_all(Float(1.0f)) - share);
-                c.mirrored = select(mine, mean(share), c.mirrored);
-                c.passes = select(mine, passes, c.passes);
+                PaneLight light = pane_light(world, material, object.material, s, ray.direction, nanometres, mine);
+                c.mirrored = select(mine, mean(light.mirrored), c.mirrored);
+                c.passes = select(mine, light.passes, c.passes);
                 c.pane = either(c.pane, mine);
             } else if (!is_null) {
                 Media beyond = entered_in_order(world, media, Int(object.material), mine);
