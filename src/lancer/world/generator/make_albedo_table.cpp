@@ -85,10 +85,12 @@ public:
         world.albedo = round.data();
         std::vector<std::thread> threads;
         for (const bool beckmann : {false, true}) {
-            threads.emplace_back([this, beckmann, world] {
-                add_stretched(world, stretched_mirrors(), beckmann);
-                add_stretched(world, stretched_borders(), beckmann);
-            });
+            for (const int part : {0, 1}) {
+                threads.emplace_back([this, beckmann, part, world] {
+                    add_stretched(world, stretched_mirrors(), beckmann, part);
+                    add_stretched(world, stretched_borders(), beckmann, part);
+                });
+            }
         }
         for (std::thread& thread : threads) {
             thread.join();
@@ -209,13 +211,13 @@ private:
         return eta == mirror_eta ? facet_loss(world, f, w, true) : border_lost(world, f, eta, w, true);
     }
 
-    // What stretched facets lose beyond what is looked up for round ones.
-    void add_stretched(const WorldRecord& world, const StretchedGrid& grid, bool beckmann) {
+    // What stretched facets lose beyond what is looked up for round ones. `part`: 0 or 1, every other roughness.
+    void add_stretched(const WorldRecord& world, const StretchedGrid& grid, bool beckmann, int part) {
         std::vector<Side> outside, within;
         for (const Side& side : sides_of(grid, beckmann)) {
             (side.eta == mirror_eta || side.eta > 1.0 ? outside : within).push_back(side);
         }
-        for (int rough = 1; rough < grid.roughnesses; ++rough) {
+        for (int rough = 1 + part; rough < grid.roughnesses; rough += 2) {
             for (int ratio = 1; ratio < grid.ratios; ++ratio) {
                 const Facets f = stretched(rough, ratio, grid, beckmann);
                 for (int view = 0; view < grid.cosines * grid.turns; ++view) {
