@@ -1,15 +1,14 @@
 // Mixes, cut-out surfaces, other materials behind, relief and mesh colours, where the answer is known.
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <glm/geometric.hpp>
 
 #include "analytic/small_world.h"
 #include "lancer/image/image.h"
 #include "lancer/world/compile.h"
+#include "temporary_folder.h"
 
 namespace lancer::tests {
 namespace {
@@ -277,9 +276,7 @@ TEST(Sides, AnotherMaterialBehind) {
 
 // A white sphere covered with bumps, in even light: nowhere black, nowhere brighter than the light.
 TEST(Relief, NeitherMakesLightNorBlackSpots) {
-    const std::string folder = (std::filesystem::temp_directory_path() / "lancer-relief-XXXXXX").string();
-    std::string pattern = folder;
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    const tests::TemporaryFolder folder;
     Image waves{64, 64, 3, {}};
     for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 64; ++x) {
@@ -290,7 +287,7 @@ TEST(Relief, NeitherMakesLightNorBlackSpots) {
             }
         }
     }
-    const std::string file = pattern + "/waves.exr";
+    const std::string file = folder / "waves.exr";
     write_image(file, waves, {});
     for (const bool bumps : {false, true}) {
         for (const int kind : {0, 1, 2, 3}) {
@@ -324,7 +321,6 @@ TEST(Relief, NeitherMakesLightNorBlackSpots) {
             EXPECT_GT(a.least, 0.4) << kind << ": a dark spot";
         }
     }
-    std::filesystem::remove_all(pattern);
 }
 
 // A flat normal map changes nothing but rounding.

@@ -1,16 +1,15 @@
 // Textures on shapes: which way up, not mirrored, in which colour.
 #include <cstdio>
-#include <filesystem>
 #include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "analytic/small_world.h"
 #include "lancer/image/image.h"
+#include "temporary_folder.h"
 
 namespace lancer::tests {
 namespace {
@@ -23,9 +22,6 @@ const glm::dvec3 red(1, 0, 0), green(0, 1, 0), blue(0, 0, 1), white(1, 1, 1);
 class FourColors : public testing::Test {
 protected:
     void SetUp() override {
-        std::string folder = (std::filesystem::temp_directory_path() / "lancer-texture-XXXXXX").string();
-        ASSERT_NE(mkdtemp(folder.data()), nullptr);
-        folder_ = folder;
         Image image;
         image.width = 8;
         image.height = 8;
@@ -41,8 +37,6 @@ protected:
         texture_.filter = scene::Filter::nearest;
         write_image(texture_.file, image, {});
     }
-
-    void TearDown() override { std::filesystem::remove_all(folder_); }
 
     int add_material(SmallWorld& world) const {
         world.scene.ambient = glm::dvec3(1.0);
@@ -60,7 +54,7 @@ protected:
         EXPECT_EQ(world.at({m + off, m - off}), white);
     }
 
-    std::filesystem::path folder_;
+    tests::TemporaryFolder folder_;
     scene::ImageTexture texture_;
 };
 

@@ -17,37 +17,6 @@ namespace lancer::test {
 
 namespace fs = std::filesystem;
 
-Folder::Folder() {
-    std::string name = (fs::temp_directory_path() / "lancer-test-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-        throw std::runtime_error("no temporary folder");
-    }
-    path_ = name;
-}
-
-Folder::~Folder() {
-    std::error_code ignored;
-    fs::permissions(path_, fs::perms::owner_all, ignored);
-    fs::remove_all(path_, ignored);
-}
-
-void Folder::write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name, std::ios::binary) << text; }
-
-std::string Folder::read(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(path_ / name, std::ios::binary).rdbuf();
-    return text.str();
-}
-
-std::vector<std::string> Folder::names() const {
-    std::vector<std::string> result;
-    for (const auto& entry : fs::directory_iterator(path_)) {
-        result.push_back(entry.path().filename().string());
-    }
-    std::sort(result.begin(), result.end());
-    return result;
-}
-
 Running::Running(const Folder& folder, const std::vector<std::string>& words, const Environment& environment) {
     // Everything that allocates comes before the fork.
     std::vector<char*> arguments;

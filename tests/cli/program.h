@@ -3,10 +3,11 @@
 
 #include <sys/types.h>
 
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "temporary_folder.h"
 
 namespace lancer::test {
 
@@ -16,24 +17,7 @@ struct Finished {
     std::string err;
 };
 
-// An empty folder that is removed with everything in it.
-class Folder {
-public:
-    Folder();
-    ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-    std::string file(const std::string& name) const { return (path_ / name).string(); }
-    void write(const std::string& name, const std::string& text) const;
-    std::string read(const std::string& name) const;
-    bool has(const std::string& name) const { return std::filesystem::exists(path_ / name); }
-    std::vector<std::string> names() const;  // sorted
-
-private:
-    std::filesystem::path path_;
-};
+using Folder = tests::TemporaryFolder;
 
 using Environment = std::vector<std::pair<std::string, std::string>>;  // an empty value removes the variable
 

@@ -1,12 +1,9 @@
 // Films that were cut short, written, read, shared out and joined end in the same bytes.
-#include <unistd.h>
 
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -17,6 +14,7 @@
 #include "lancer/import/import.h"
 #include "lancer/render/render.h"
 #include "lancer/world/compile.h"
+#include "temporary_folder.h"
 
 namespace lancer {
 namespace {
@@ -95,13 +93,7 @@ protected:
             options_.error = 0.3;
             options_.error_floor = find_error_floor(*device_, options_);
         }
-        file_ = (std::filesystem::temp_directory_path() / ("lancer-shards-" + std::to_string(::getpid()) + GetParam().name)).string();
     }
-    void TearDown() override {
-        std::error_code ignored;
-        std::filesystem::remove(file_, ignored);
-    }
-
     Whole fresh() const { return Whole(options_, GetParam().layers); }
     std::string uninterrupted() const {
         Whole whole = fresh();
@@ -121,7 +113,8 @@ protected:
 
     std::unique_ptr<Device> device_;
     RenderOptions options_;
-    std::string file_;
+    tests::TemporaryFolder folder_;
+    std::string file_ = folder_ / "film";
 };
 
 TEST_P(Shared, AnySplitMergedIsTheWhole) {
@@ -188,8 +181,7 @@ TEST(SplatFilms, OverlapOnlyWhereOneHasAllOfTheOther) {
     const auto device = make_cpu_device(compile_world(*scene, scene->cameras.front(), diagnostics), {});
     FilmLayers layers;
     layers.splats = true;
-    const std::string folder = (std::filesystem::temp_directory_path() / ("lancer-splats-" + std::to_string(::getpid()))).string();
-    std::filesystem::create_directories(folder);
+    const tests::TemporaryFolder folder;
     const auto write = [&](const std::string& name, int shard, int shards, int spp) {
         RenderOptions part = options;
         part.shard = shard;
@@ -197,7 +189,7 @@ TEST(SplatFilms, OverlapOnlyWhereOneHasAllOfTheOther) {
         part.spp = spp;
         Whole film(options, layers);
         render(*device, part, *film.state);
-        write_film_file(folder + "/" + name, {}, *film.state);
+        write_film_file(folder / name, {}, *film.state);
     };
     write("half", 1, 2, 4);
     write("half-begun", 1, 2, 2);
@@ -211,17 +203,16 @@ TEST(SplatFilms, OverlapOnlyWhereOneHasAllOfTheOther) {
                                                   {"rest", "half-begun", "half-begun", "half", "half-begun"}}) {
         Whole merged(options, layers);
         for (const std::string& name : order) {
-            FilmFile(folder + "/" + name).add_to(*merged.state);
+            FilmFile(folder / name).add_to(*merged.state);
         }
         merged.state->show_splats();
         EXPECT_TRUE(merged.bytes() == whole.bytes()) << order.front() << ", " << order.size() << " films";
     }
     Whole merged(options, layers);
-    FilmFile(folder + "/half").add_to(*merged.state);
+    FilmFile(folder / "half").add_to(*merged.state);
     const std::string before = merged.bytes();
-    EXPECT_THROW(FilmFile(folder + "/third").add_to(*merged.state), FilmDamaged);
+    EXPECT_THROW(FilmFile(folder / "third").add_to(*merged.state), FilmDamaged);
     EXPECT_TRUE(merged.bytes() == before);
-    std::filesystem::remove_all(folder);
 }
 
 TEST(Samples, MoreLaterAreTheSameAsMoreAtOnce) {
@@ -263,11 +254,10 @@ TEST(FilmFile, EveryDamageIsNoticed) {
     options.spp = 1;
     Whole whole(options, {});
     whole.state->add_round(0);
-    const std::string path = (std::filesystem::temp_directory_path() / ("lancer-film-" + std::to_string(::getpid()))).string();
+    const tests::TemporaryFolder folder;
+    const std::string path = folder / "film";
     write_film_file(path, {{{"key", "text"}}, {}}, *whole.state);
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    const std::string good = text.str();
+    const std::string good = folder.read("film");
     EXPECT_NO_THROW(FilmFile{path});
     const auto put = [&](const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; };
     for (std::size_t i = 0; i < good.size(); ++i) {
@@ -280,7 +270,6 @@ TEST(FilmFile, EveryDamageIsNoticed) {
     }
     put(good + "x");
     EXPECT_THROW(FilmFile{path}, FilmDamaged);
-    std::filesystem::remove(path);
 }
 
 }  // namespace

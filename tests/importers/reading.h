@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lancer/import/import.h"
+#include "temporary_folder.h"
 
 namespace lancer::testing {
 
@@ -56,27 +57,7 @@ inline scene::Scene read_part(const std::string& part) {
     return reading.scene.value_or(scene::Scene{});
 }
 
-// A folder of its own, gone afterwards.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "lancer-test-XXXXXX").string();
-        path_ = ::mkdtemp(pattern.data());
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::string write(const std::string& name, std::string_view bytes) const {
-        const std::string path = (path_ / name).string();
-        std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        return path;
-    }
-    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
-private:
-    std::filesystem::path path_;
-};
+using tests::TemporaryFolder;
 
 // Of the whole project.
 std::filesystem::path source_folder();

@@ -1,17 +1,16 @@
 #include "lancer/image/layers.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 
 #include "lancer/base/failure.h"
 #include "lancer/image/cryptomatte.h"
+#include "temporary_folder.h"
 
 namespace {
 
@@ -20,18 +19,8 @@ namespace fs = std::filesystem;
 
 class Layers : public testing::Test {
 protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "lancer-layers-test-XXXXXX").string();
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    std::string bytes(const std::string& name) const {
-        std::ifstream file(folder_ / name, std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
+    std::string path(const std::string& name) const { return folder_.file(name); }
+    std::string bytes(const std::string& name) const { return folder_.read(name); }
     // What reading it throws.
     std::string complaint(const std::string& name) const {
         try {
@@ -42,7 +31,7 @@ protected:
         return "";
     }
 
-    fs::path folder_;
+    tests::TemporaryFolder folder_;
 };
 
 Channel ramp(const std::string& name, Stored stored, int count, float scale) {
@@ -152,7 +141,7 @@ TEST_F(Layers, ThatAreBrokenAreRefusedInWords) {
 TEST_F(Layers, CantBeWrittenToOtherFormatsOrNowhere) {
     EXPECT_THROW(write_layers(path("a.png"), many()), MachineFailure);
     EXPECT_THROW(write_layers(path("nowhere/a.exr"), many()), MachineFailure);
-    EXPECT_TRUE(fs::is_empty(folder_));
+    EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
 // Files by another program. The value of channel c at x, y is x + 100 y + 10000 c, as far as a half holds it.

@@ -17,6 +17,7 @@
 #include "lancer/image/encode.h"
 #include "lancer/image/images_module.h"
 #include "lancer/image/replace_file.h"
+#include "temporary_folder.h"
 
 namespace {
 
@@ -54,17 +55,10 @@ std::string message_of(Action action) {
 
 class ImageFiles : public testing::Test {
 protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "lancer-image-test-XXXXXX").string();
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
+    std::string path(const std::string& name) const { return folder_.file(name); }
+    std::size_t files() const { return folder_.names().size(); }
 
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    std::size_t files() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {})); }
-
-    fs::path folder_;
+    tests::TemporaryFolder folder_;
 };
 
 // Every channel and pixel different, so that a swap shows.
@@ -376,9 +370,9 @@ TEST_F(ImageFiles, TheFirstBytesDecideTheFormat) {
 }
 
 TEST_F(ImageFiles, MissingModuleNamesThePackage) {
-    const auto words = [&] { return message_of<MachineFailure>([&] { load_images_module({folder_.string()}); }); };
+    const auto words = [&] { return message_of<MachineFailure>([&] { load_images_module({folder_.path().string()}); }); };
     EXPECT_NE(words().find("libopenimageio-dev"), std::string::npos) << words();
-    EXPECT_NE(words().find(folder_.string()), std::string::npos) << words();
+    EXPECT_NE(words().find(folder_.path().string()), std::string::npos) << words();
     put(path("lancer_images.so"), "no library");
     EXPECT_NE(words().find("cannot load " + path("lancer_images.so")), std::string::npos) << words();
     EXPECT_NE(words().find("libopenimageio2.4"), std::string::npos) << words();
