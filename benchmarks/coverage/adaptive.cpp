@@ -1,30 +1,19 @@
 // Whether samples that go where the error is pay: the processor time to the same 95th percentile of the error, adaptive against uniform.
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "lancer/device/cpu/cpu.h"
-#include "lancer/import/import.h"
-#include "lancer/render/render.h"
-#include "lancer/world/compile.h"
+#include "lancer/film/luminance.h"
+#include "small_scene.h"
 
 using namespace lancer;
 
 namespace {
-
-double processor_seconds() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
-}
 
 struct Point {
     double seconds = 0.0;
@@ -34,40 +23,16 @@ struct Point {
 
 class Scene {
 public:
-    Scene(const std::string& path, int width) {
-        Diagnostics diagnostics;
-        scene_ = import_scene(path, diagnostics);
-        if (!scene_) {
-            fmt::print(stderr, "{}: {}\n", path, to_string(diagnostics.list().front()));
-            std::exit(2);
-        }
-        const double shape = static_cast<double>(scene_->settings.height) / scene_->settings.width;
-        scene_->settings.integrator = "path";
-        scene_->settings.width = width;
-        scene_->settings.height = std::max(8, static_cast<int>(std::lround(width * shape)));
-    }
+    Scene(const std::string& path, int width) : scene_(read_small(path, width)) {}
 
     Film render_film(int seed, double error, int spp, Point* point = nullptr) {
-        scene_->settings.seed = seed;
-        Diagnostics diagnostics;
-        const auto world = compile_world(*scene_, scene_->cameras.front(), diagnostics);
-        if (world == nullptr) {
-            fmt::print(stderr, "{}\n", to_string(diagnostics.list().front()));
-            std::exit(2);
-        }
-        const auto device = make_cpu_device(world, {});
-        RenderOptions options;
-        options.width = scene_->settings.width;
-        options.height = scene_->settings.height;
-        options.threads = 1;
-        options.spp = spp;
-        options.error = error;
-        options.intervals = error > 0.0;
+        scene_.settings.seed = seed;
+        const auto device = make_device(scene_);
         const double start = processor_seconds();
+        const RenderOptions options = goal_options(*device, scene_, error, spp);
         if (floor_ == 0.0) {
             floor_ = find_error_floor(*device, options);
         }
-        options.error_floor = error > 0.0 ? find_error_floor(*device, options) : 0.0;
         Film film(options.width, options.height);
         const RenderStatistics done = render(*device, options, film);
         if (point != nullptr) {
@@ -80,8 +45,8 @@ public:
     double error_of(const Film& film, const Film& truth) const {
         std::vector<double> errors;
         for (std::size_t i = 0; i < film.radiance.size(); ++i) {
-            errors.push_back(std::fabs(luminance(film.radiance[i]) - luminance(truth.radiance[i])) /
-                             std::max(luminance(truth.radiance[i]), floor_));
+            errors.push_back(std::fabs(luminance(glm::dvec3(film.radiance[i])) - luminance(glm::dvec3(truth.radiance[i]))) /
+                             std::max(luminance(glm::dvec3(truth.radiance[i])), floor_));
         }
         const auto place = errors.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(errors.size()));
         std::nth_element(errors.begin(), place, errors.end());
@@ -89,11 +54,7 @@ public:
     }
 
 private:
-    static double luminance(const glm::vec3& c) {
-        return 0.2126729 * static_cast<double>(c.x) + 0.7151522 * static_cast<double>(c.y) + 0.0721750 * static_cast<double>(c.z);
-    }
-
-    std::optional<scene::Scene> scene_;
+    scene::Scene scene_;
     double floor_ = 0.0;
 };
 

@@ -14,6 +14,7 @@
 
 #include "lancer/device/cpu/cpu.h"
 #include "lancer/film/interval.h"
+#include "lancer/film/luminance.h"
 #include "lancer/import/import.h"
 #include "lancer/render/render.h"
 #include "lancer/world/compile.h"
@@ -152,8 +153,7 @@ void measure(const Subject& subject, const Setting& setting) {
     if (subject.truth == 0.0) {
         const Film converged = converged_film(subject, setting);
         for (std::size_t i = 0; i < truth.size(); ++i) {
-            const glm::vec3& c = converged.radiance[i];
-            truth[i] = 0.2126729 * static_cast<double>(c.x) + 0.7151522 * static_cast<double>(c.y) + 0.0721750 * static_cast<double>(c.z);
+            truth[i] = luminance(glm::dvec3(converged.radiance[i]));
         }
     }
     double inside = 0.0, counted = 0.0, heavy = 0.0, samples = 0.0, worst = 1.0, known = 0.0;

@@ -1,30 +1,17 @@
 // How far off the estimate of the time left is, from a tenth of the way on: in processor time, so that it makes no difference what else the machine does.
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "lancer/device/cpu/cpu.h"
-#include "lancer/import/import.h"
-#include "lancer/render/render.h"
-#include "lancer/world/compile.h"
+#include "small_scene.h"
 
 using namespace lancer;
 
 namespace {
-
-double processor_seconds() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
-}
 
 class Watch : public RenderObserver {
 public:
@@ -43,31 +30,10 @@ private:
 };
 
 void measure(const std::string& path, int width, double error, int spp) {
-    Diagnostics diagnostics;
-    std::optional<scene::Scene> scene = import_scene(path, diagnostics);
-    if (!scene) {
-        fmt::print(stderr, "{}: {}\n", path, to_string(diagnostics.list().front()));
-        std::exit(2);
-    }
-    const double shape = static_cast<double>(scene->settings.height) / scene->settings.width;
-    scene->settings.width = width;
-    scene->settings.height = std::max(8, static_cast<int>(std::lround(width * shape)));
-    scene->settings.integrator = "path";
-    const auto world = compile_world(*scene, scene->cameras.front(), diagnostics);
-    if (world == nullptr) {
-        fmt::print(stderr, "{}\n", to_string(diagnostics.list().front()));
-        std::exit(2);
-    }
-    const auto device = make_cpu_device(world, {});
-    RenderOptions options;
-    options.width = scene->settings.width;
-    options.height = scene->settings.height;
-    options.threads = 1;
+    const scene::Scene scene = read_small(path, width);
+    const auto device = make_device(scene);
+    RenderOptions options = goal_options(*device, scene, error, spp);
     options.shuffle = 1;
-    options.spp = spp;
-    options.error = error;
-    options.intervals = error > 0.0;
-    options.error_floor = error > 0.0 ? find_error_floor(*device, options) : 0.0;
     Film film(options.width, options.height);
     Watch watch;
     render(*device, options, film, &watch);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lancer/film/luminance.h"
 #include "lancer/kernel/spectrum.h"
 
 namespace lancer {
@@ -15,9 +16,6 @@ const double bins_from = static_cast<double>(kernel::FIRST_WAVELENGTH);
 const double bins_to = static_cast<double>(kernel::LAST_WAVELENGTH);
 
 glm::dvec3 wide(const glm::vec3& v) { return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)}; }
-
-// Relative luminance of linear sRGB [IEC 61966-2-1].
-double luminance(const glm::dvec3& rgb) { return rgb.x * 0.2126729 + rgb.y * 0.7151522 + rgb.z * 0.0721750; }
 
 bool is_number(const glm::vec3& v) { return !(std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z)); }
 

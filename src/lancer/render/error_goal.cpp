@@ -138,15 +138,18 @@ double TileErrors::foresee(const std::vector<std::size_t>& cells) {
 
 }  // namespace
 
-TileNeeds needs_of(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit) {
+std::vector<std::size_t> wanting_cells(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile,
+                                       int limit) {
+    return TileErrors(goal, rule, state, tile, limit).wanting();
+}
+
+double foresee_samples(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit) {
     TileErrors errors(goal, rule, state, tile, limit);
-    TileNeeds needs;
-    needs.reached = errors.reached();
-    needs.cells = errors.wanting();
-    for (std::vector<std::size_t> cells = needs.cells; !cells.empty(); cells = errors.wanting()) {
-        needs.samples_left += errors.foresee(cells);
+    double samples = 0.0;
+    for (std::vector<std::size_t> cells = errors.wanting(); !cells.empty(); cells = errors.wanting()) {
+        samples += errors.foresee(cells);
     }
-    return needs;
+    return samples;
 }
 
 ErrorReport report_errors(const ErrorGoal& goal, const FilmState& state) {

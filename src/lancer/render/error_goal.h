@@ -24,14 +24,12 @@ struct ErrorGoal {
     double floor = 0.0;
 };
 
-struct TileNeeds {
-    bool reached = false;
-    std::vector<std::size_t> cells;  // that need more samples, row by row; only where the goal is not reached
-    double samples_left = 0.0;       // that the tile will take until its end, as far as can be told
-};
+// The cells of a tile that need more samples, row by row; none where the goal is reached. `limit`: samples a pixel that are not exceeded.
+std::vector<std::size_t> wanting_cells(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile,
+                                       int limit);
 
-// `limit`: samples a pixel that are not exceeded.
-TileNeeds needs_of(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit);
+// And how many samples the tile will take until its end, as far as can be told; 0 where no cell needs any.
+double foresee_samples(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit);
 
 // The levels are 1, 2, 4, 6, 8, 12, 16, 24, ...
 int next_level(int level);

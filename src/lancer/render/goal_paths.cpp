@@ -1,6 +1,7 @@
 #include "lancer/render/goal_paths.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace lancer {
 
@@ -33,12 +34,12 @@ RoundOutcome GoalPathSampler::render_round(FilmState& state, std::size_t tile, R
     const Film& film = state.film();
     const auto level_of = [&](const Tile& part) { return static_cast<int>(film.samples[film.index(part.x0, part.y0)]) / samples_of_level; };
     const bool whole = level_of(place) < first_decision;
-    TileNeeds needs;
+    std::vector<std::size_t> cells;
     if (!whole) {
-        needs = needs_of(goal_, rule_, state, tile, limit_);
+        cells = wanting_cells(goal_, rule_, state, tile, limit_);
     }
     samples_left_ = 0.0;
-    if (whole ? level_of(place) * samples_of_level >= limit_ : needs.cells.empty()) {
+    if (whole ? level_of(place) * samples_of_level >= limit_ : cells.empty()) {
         return RoundOutcome::finished;
     }
     Film copied(place.width(), place.height());
@@ -52,7 +53,7 @@ RoundOutcome GoalPathSampler::render_round(FilmState& state, std::size_t tile, R
     if (whole) {
         complete = extend(place, next_level(level_of(place)), place, copy, counts, cancel);
     }
-    for (const std::size_t cell : needs.cells) {
+    for (const std::size_t cell : cells) {
         const Tile part = cell_of(place, cell);
         complete = complete && extend(part, next_level(level_of(part)), place, copy, counts, cancel);
     }
@@ -66,9 +67,8 @@ RoundOutcome GoalPathSampler::render_round(FilmState& state, std::size_t tile, R
         ByteReader back(after.bytes());
         state.load(tile, state.rounds(tile) + 1, back);
     }
-    const TileNeeds left = needs_of(goal_, rule_, state, tile, limit_);
-    samples_left_ = left.samples_left;
-    return left.cells.empty() ? RoundOutcome::finished : RoundOutcome::unfinished;
+    samples_left_ = foresee_samples(goal_, rule_, state, tile, limit_);
+    return samples_left_ == 0.0 ? RoundOutcome::finished : RoundOutcome::unfinished;
 }
 
 }  // namespace lancer

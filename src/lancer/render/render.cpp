@@ -14,6 +14,7 @@
 
 #include "lancer/base/thread_clock.h"
 #include "lancer/film/display.h"
+#include "lancer/film/luminance.h"
 #include "lancer/render/adaptive.h"
 #include "lancer/render/goal_paths.h"
 #include "lancer/render/paths.h"
@@ -103,8 +104,7 @@ private:
         for (std::size_t pixel = 0; options_.spp > 0 && pixel < state_.film().radiance.size(); ++pixel) {
             removed += state_.sums()->clamped(pixel);
             const glm::vec3 light = state_.sums()->mean(pixel);
-            kept += 0.2126729 * static_cast<double>(light.x) + 0.7151522 * static_cast<double>(light.y) +
-                    0.0721750 * static_cast<double>(light.z);
+            kept += luminance(glm::dvec3(light));
         }
         return removed > 0.0 ? removed / (removed + kept) : 0.0;
     }
@@ -273,8 +273,7 @@ double find_error_floor(const Device& device, const RenderOptions& options) {
             device.follow_paths({x, y, x + 1, y + 1, 0, samples}, light, ignored);
             double sum = 0.0;
             for (const glm::vec3& c : light) {
-                const double y_of =
-                    0.2126729 * static_cast<double>(c.x) + 0.7151522 * static_cast<double>(c.y) + 0.0721750 * static_cast<double>(c.z);
+                const double y_of = luminance(glm::dvec3(c));
                 sum += std::isfinite(y_of) ? y_of : 0.0;
             }
             roots += std::sqrt(std::max(sum / samples, 0.0));
@@ -288,7 +287,7 @@ bool is_finished(const RenderOptions& options, const FilmState& state, std::size
     const Tile& place = state.tiles()[tile];
     if (options.error > 0.0) {
         const ErrorGoal goal{options.error, options.confidence, options.error_floor};
-        return needs_of(goal, IntervalRule(goal.confidence, goal.floor), state, tile, samples_limit(options)).cells.empty();
+        return wanting_cells(goal, IntervalRule(goal.confidence, goal.floor), state, tile, samples_limit(options)).empty();
     }
     return options.spp == 0 ? state.rounds(tile) > 0
                             : state.film().samples[state.film().index(place.x0, place.y0)] >= static_cast<std::uint32_t>(options.spp);

@@ -15,6 +15,7 @@
 #include "lancer/world/light_tree.h"
 #include "lancer/world/lights.h"
 #include "lancer/world/sky.h"
+#include "lancer/world/spectra.h"
 #include "lancer/world/thrown.h"
 
 namespace lancer {
@@ -40,8 +41,6 @@ kernel::Vec2 spread(int i, int n) {
     const double down = static_cast<double>(kernel::reverse_bits(static_cast<std::uint32_t>(i))) / 4294967296.0;
     return kernel::vec2_of(static_cast<float>(across), static_cast<float>(down + 0.5 / n));
 }
-
-double brightness(const kernel::vec3& rgb) { return std::max(0.0, glm::dot(glm::dvec3(rgb), glm::dvec3(0.2126, 0.7152, 0.0722))); }
 
 glm::dvec3 apply(const kernel::AffineRecord& map, const glm::dvec3& p) {
     return glm::dvec3(glm::dot(glm::dvec3(map.row_x), p), glm::dot(glm::dvec3(map.row_y), p), glm::dot(glm::dvec3(map.row_z), p)) +

@@ -1,9 +1,11 @@
 #include "lancer/world/spectra.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "lancer/spectrum/illuminant.h"
 #include "lancer/spectrum/metal.h"
@@ -95,5 +97,7 @@ scene::Rgb emitted(const scene::Color& color) {
     }
     return color.spectrum ? glm::max(to_rgb(light_curve(*color.spectrum)), scene::Rgb(0.0)) : color.rgb;
 }
+
+double brightness(const glm::vec3& rgb) { return std::max(0.0, glm::dot(glm::dvec3(rgb), glm::dvec3(0.2126, 0.7152, 0.0722))); }
 
 }  // namespace lancer

@@ -1,6 +1,8 @@
 // What the author's spectra are: curves over wavelength, and how they look.
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include "lancer/scene/color.h"
 #include "lancer/spectrum/curve.h"
 
@@ -19,5 +21,8 @@ SpectralCurve clearness(const SpectralCurve& absorption, double depth);
 // Linear RGB: of a share under D65, of a light as it is. Colours outside sRGB are moved to its border.
 scene::Rgb reflected(const scene::Color& color);
 scene::Rgb emitted(const scene::Color& color);
+
+// How bright linear RGB is to the eye, 0 at least [Rec. 709].
+double brightness(const glm::vec3& rgb);
 
 }  // namespace lancer

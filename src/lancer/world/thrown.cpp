@@ -22,8 +22,6 @@ constexpr int points_a_cell = 4;
 // What is left for light that these miss, in parts of the mean.
 constexpr double unseen_light = 0.02;
 
-double brightness(const kernel::vec3& rgb) { return std::max(0.0, glm::dot(glm::dvec3(rgb), glm::dvec3(0.2126, 0.7152, 0.0722))); }
-
 kernel::Vec3 to_kernel(const glm::dvec3& v) {
     return kernel::vec3_of(static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
 }
