@@ -94,18 +94,16 @@ aov normal normal.X,normal.Y,normal.Z --mulc 0.5 --addc 0.5
 aov direct direct.R,direct.G,direct.B --mulc 2 "${encoded[@]}"
 aov indirect indirect.R,indirect.G,indirect.B --mulc 2 "${encoded[@]}"
 [ ${#wanted[@]} -gt 0 ] && [[ " ${wanted[*]} " != *" mitsuba "* ]] ||
-    "$lancer" render scenes/mitsuba/still-life.xml -o docs/pictures/mitsuba.png --size 640x360 --progress plain 2>/dev/null
+    "$lancer" render scenes/mitsuba/still-life.xml -o docs/pictures/mitsuba.png --size 640x360 --checkpoint off --progress plain 2>/dev/null
 [ ${#wanted[@]} -gt 0 ] && [[ " ${wanted[*]} " != *" pbrt "* ]] ||
-    "$lancer" render scenes/pbrt/still-life.pbrt -o docs/pictures/pbrt.png --size 640x360 --progress plain 2>/dev/null
+    "$lancer" render scenes/pbrt/still-life.pbrt -o docs/pictures/pbrt.png --size 640x360 --checkpoint off --progress plain 2>/dev/null
 picture gltf gltf/still-life.glb --size 480x320 --spp 96
 
 for time in morning noon dusk; do
     picture "pavilion-$time" "gallery/pavilion-$time" "${small[@]}" --spp 256
 done
 picture night-city gallery/night-city "${small[@]}" --spp 128
-for scene in light-shafts; do
-    picture "$scene" "gallery/$scene" "${small[@]}" --spp 1024
-done
+picture light-shafts gallery/light-shafts "${small[@]}" --spp 1024
 for scene in metal-samples chess-focus diamonds daylight-room; do
     picture "$scene" "gallery/$scene" "${small[@]}" --spp 192
 done

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -49,6 +51,13 @@ scene::ImageTexture read_picture(Context& context, TableReader& reader) {
     return image;
 }
 
+// That a picture's second direction does not lie along its first.
+void check_across(TableReader& reader, const glm::dvec3& direction, const glm::dvec3& second, std::string message) {
+    if (reader.good() && !unit_vector(glm::cross(direction, second))) {
+        reader.error(reader.position(), std::move(message));
+    }
+}
+
 scene::SpotLight read_spot(Context& context, TableReader& reader) {
     scene::SpotLight spot;
     spot.position = reader.vector3("position");
@@ -66,8 +75,8 @@ scene::SpotLight read_spot(Context& context, TableReader& reader) {
         spot.image->wrap = static_cast<scene::Wrap>(reader.choice("wrap"));
     }
     spot.up = reader.direction("up");
-    if (spot.image && reader.good() && !unit_vector(glm::cross(spot.direction, spot.up))) {
-        reader.error(reader.position(), "\"up\" must not point where the light shines");
+    if (spot.image) {
+        check_across(reader, spot.direction, spot.up, "\"up\" must not point where the light shines");
     }
     return spot;
 }
@@ -84,9 +93,7 @@ scene::ProjectorLight read_projector(Context& context, TableReader& reader) {
         light.image->wrap = static_cast<scene::Wrap>(reader.choice("wrap"));
     }
     light.even = reader.flag("even");
-    if (reader.good() && !unit_vector(glm::cross(light.direction, light.up))) {
-        reader.error(reader.position(), "\"up\" must not point where the projector shines");
-    }
+    check_across(reader, light.direction, light.up, "\"up\" must not point where the projector shines");
     return light;
 }
 
@@ -96,9 +103,7 @@ scene::GoniometricLight read_goniometric(Context& context, TableReader& reader) 
     light.direction = reader.direction("direction");
     light.up = reader.direction("up");
     light.image = read_picture(context, reader);
-    if (reader.good() && !unit_vector(glm::cross(light.direction, light.up))) {
-        reader.error(reader.position(), "\"up\" must not point along \"direction\"");
-    }
+    check_across(reader, light.direction, light.up, "\"up\" must not point along \"direction\"");
     return light;
 }
 
@@ -113,9 +118,7 @@ scene::IesLight read_ies_light(Context& context, TableReader& reader) {
     if (!light.photometry) {
         reader.spoil();
     }
-    if (reader.good() && !unit_vector(glm::cross(light.direction, light.forward))) {
-        reader.error(reader.position(), "\"forward\" must not point along \"direction\"");
-    }
+    check_across(reader, light.direction, light.forward, "\"forward\" must not point along \"direction\"");
     return light;
 }
 

@@ -1,4 +1,4 @@
-// The keys of every kind of material. Defaults are those of scene/scene.h; a test holds them together.
+// The keys of every kind of material. Defaults are those of scene/materials.h; a test holds them together.
 #include <glm/vec3.hpp>
 
 #include "lancer/import/toml/notation.h"

@@ -1,4 +1,4 @@
-// The keys of media and their grids. Defaults are those of scene/scene.h; a test holds them together.
+// The keys of media and their grids. Defaults are those of scene/media.h; a test holds them together.
 #include <glm/vec3.hpp>
 
 #include "lancer/import/toml/notation.h"

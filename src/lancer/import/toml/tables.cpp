@@ -1,4 +1,4 @@
-// Every key of the notation. Defaults are those of scene/scene.h; a test holds them together.
+// Every key of the notation. Defaults are those of the structs in scene/; a test holds them together.
 #include <glm/vec3.hpp>
 
 #include "lancer/image/aov.h"

@@ -59,6 +59,13 @@ void add_picture(WriteContext& context, Fields& fields, const scene::ImageTextur
     fields.vector("tint", image.tint, scene::Rgb(1.0));
 }
 
+void add_thrown_picture(WriteContext& context, Fields& fields, const std::optional<scene::ImageTexture>& image) {
+    if (image) {
+        add_picture(context, fields, *image);
+        fields.text("wrap", wrap_word(image->wrap), wrap_word(scene::Wrap::clamp));
+    }
+}
+
 void add_model(WriteContext& context, Fields& fields, const decltype(scene::Light::model)& model) {
     std::visit(Overloaded{[&](const scene::PointLight& point) {
                               const auto& [at] = point;
@@ -73,9 +80,8 @@ void add_model(WriteContext& context, Fields& fields, const decltype(scene::Ligh
                               fields.number("angle", angle);
                               fields.number("falloff", falloff);
                               fields.text("fade", word(fade), word(scene::SpotFade::smooth));
+                              add_thrown_picture(context, fields, image);
                               if (image) {
-                                  add_picture(context, fields, *image);
-                                  fields.text("wrap", wrap_word(image->wrap), wrap_word(scene::Wrap::clamp));
                                   fields.vector("up", up);
                               }
                           },
@@ -92,10 +98,7 @@ void add_model(WriteContext& context, Fields& fields, const decltype(scene::Ligh
                               fields.vector("up", up);
                               fields.number("fov", fov);
                               fields.text("fov_axis", word(fov_axis), word(scene::ProjectorFov::width));
-                              if (image) {
-                                  add_picture(context, fields, *image);
-                                  fields.text("wrap", wrap_word(image->wrap), wrap_word(scene::Wrap::clamp));
-                              }
+                              add_thrown_picture(context, fields, image);
                               fields.flag("even", even, true);
                           },
                           [&](const scene::GoniometricLight& goniometric) {
