@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <cstring>
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <thread>
 
 #include "lancer/base/failure.h"
 #include "lancer/image/encode.h"
@@ -348,6 +350,22 @@ TEST_F(ImageFiles, WrittenFilesHaveOrdinaryPermissions) {
     ASSERT_EQ(::stat(path("a.txt").c_str(), &status), 0);
     EXPECT_EQ(status.st_mode & 0777, 0644u);
     EXPECT_EQ(bytes_of(path("a.txt")), "words");
+}
+
+TEST_F(ImageFiles, SweepersLeaveWhatIsBeingWritten) {
+    std::atomic<bool> done = false;
+    std::thread sweeper([&] {
+        while (!done) {
+            remove_leftovers(path("a.txt"));
+        }
+    });
+    for (int i = 0; i < 3000; ++i) {
+        EXPECT_NO_THROW(replace_file(path("a.txt"), std::to_string(i)));
+        EXPECT_EQ(bytes_of(path("a.txt")), std::to_string(i));
+    }
+    done = true;
+    sweeper.join();
+    EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(ImageFiles, UnreadableFilesAreExplained) {

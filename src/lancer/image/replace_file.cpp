@@ -120,10 +120,15 @@ void ReplacementFile::flush() {
 }
 
 void ReplacementFile::put_in_place() {
-    const int closed = ::close(descriptor_);  // network file systems report a full disk here
-    descriptor_ = -1;
-    if (closed != 0 && errno != EINTR) {
+    // The lock is held until the file has its name: whoever found it without would take it for a leftover.
+    const int still_locked = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
+    if (still_locked < 0) {
         fail(path_, errno);
+    }
+    const int closed = ::close(descriptor_) == 0 ? 0 : errno;  // network file systems report a full disk here
+    descriptor_ = still_locked;
+    if (closed != 0 && closed != EINTR) {
+        fail(path_, closed);
     }
     if (std::rename(name_.c_str(), path_.c_str()) != 0) {
         fail(path_, errno);
