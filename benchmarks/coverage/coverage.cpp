@@ -16,7 +16,7 @@
 #include "lancer/film/interval.h"
 #include "lancer/film/luminance.h"
 #include "lancer/import/import.h"
-#include "lancer/render/render.h"
+#include "lancer/render/goal_plan.h"
 #include "lancer/world/compile.h"
 
 using namespace lancer;
@@ -118,9 +118,10 @@ struct Picture {
         options.threads = setting.threads;
         options.spp = spp;
         options.intervals = true;
-        options.error = error;
-        options.confidence = setting.confidence;
-        options.error_floor = floor = find_error_floor(*device, options);
+        options.goal.error = error;
+        options.goal.confidence = setting.confidence;
+        options.goal = plan_goal(*device, options);
+        floor = options.goal.floor;
         FilmState state(film, &sums, tile_size_for(options));
         done = render(*device, options, state);
     }
@@ -203,6 +204,10 @@ int main(int argc, char** argv) {
         } else if (option == "--scene") {
             only = argv[i + 1];
         }
+    }
+    if (argc % 2 == 0) {
+        fmt::print(stderr, "lancer_coverage [--seeds N] [--error SHARE] [--truth SAMPLES] [--threads N] [--scene NAME]\n");
+        return 2;
     }
     fmt::print(
         "| scene | | truth inside, where {:g} % is claimed | worst seed | known within {:g} % | heavy tails | samples a pixel "

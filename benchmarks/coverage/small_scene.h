@@ -16,7 +16,7 @@
 
 #include "lancer/device/cpu/cpu.h"
 #include "lancer/import/import.h"
-#include "lancer/render/render.h"
+#include "lancer/render/goal_plan.h"
 #include "lancer/world/compile.h"
 
 namespace lancer {
@@ -56,16 +56,16 @@ inline std::unique_ptr<Device> make_device(const scene::Scene& scene) {
     return make_cpu_device(world, {});
 }
 
-// Of one thread. The floor of the error is found where there is an error to reach.
+// Of one thread. Where there is no error to reach it is measured all the same.
 inline RenderOptions goal_options(const Device& device, const scene::Scene& scene, double error, int spp) {
     RenderOptions options;
     options.width = scene.settings.width;
     options.height = scene.settings.height;
     options.threads = 1;
     options.spp = spp;
-    options.error = error;
-    options.intervals = error > 0.0;
-    options.error_floor = error > 0.0 ? find_error_floor(device, options) : 0.0;
+    options.goal.error = error;
+    options.intervals = true;
+    options.goal = plan_goal(device, options);
     return options;
 }
 

@@ -163,6 +163,22 @@ TEST_F(Farm, KilledWorkersLeaveNothingHalf) {
     EXPECT_THAT(names_in("out.farm/shards"), IsEmpty()) << "what killed workers left is swept up";
 }
 
+TEST_F(Farm, PartsInTheMakingCount) {
+    ASSERT_EQ(lancer(submit({"--size", "1600x1200", "--ssaa", "8", "-o", "out.exr", "--shards", "2"})).status, 0);
+    EXPECT_EQ(status("out.farm").at("share"), 0.0);
+    Running worker(folder, {LANCER_PROGRAM, "farm", "work", "out.farm"});
+    double share = 0.0;
+    while (share == 0.0 && worker.is_alive()) {
+        const nlohmann::json now = status("out.farm");
+        share = now.at("units_done") == 0 ? now.at("share").get<double>() : 0.0;
+    }
+    EXPECT_GT(share, 0.0);
+    EXPECT_LT(share, 0.5);
+    worker.signal(SIGINT);
+    EXPECT_EQ(worker.wait().status, 1);
+    EXPECT_THAT(names_in("out.farm/running"), IsEmpty());
+}
+
 TEST_F(Farm, AChangedSceneIsNoticed) {
     ASSERT_EQ(lancer(submit({"-o", "out.exr", "--shards", "2"})).status, 0);
     ASSERT_EQ(lancer({"farm", "work", "out.farm", "1"}).status, 0);

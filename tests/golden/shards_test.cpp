@@ -12,6 +12,7 @@
 #include "lancer/device/cpu/cpu.h"
 #include "lancer/film/film_file.h"
 #include "lancer/import/import.h"
+#include "lancer/render/goal_plan.h"
 #include "lancer/render/render.h"
 #include "lancer/world/compile.h"
 #include "temporary_folder.h"
@@ -90,8 +91,8 @@ protected:
         options_.threads = 2;
         if (GetParam().layers.runs) {
             options_.intervals = true;
-            options_.error = 0.3;
-            options_.error_floor = find_error_floor(*device_, options_);
+            options_.goal.error = 0.3;
+            options_.goal = plan_goal(*device_, options_);
         }
     }
     Whole fresh() const { return Whole(options_, GetParam().layers); }
@@ -224,7 +225,8 @@ TEST(Samples, MoreLaterAreTheSameAsMoreAtOnce) {
     options.height = scene->settings.height = 33;
     const auto device = make_cpu_device(compile_world(*scene, scene->cameras.front(), diagnostics), {});
     const FilmLayers layers{true, true, false, false, 3};
-    Whole in_steps(RenderOptions{options.width, options.height, 1, 1}, layers);
+    options.spp = 1;
+    Whole in_steps(options, layers);
     for (const int spp : {1, 3, 22, 40}) {
         options.spp = spp;
         render(*device, options, *in_steps.state);

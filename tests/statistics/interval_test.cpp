@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lancer/render/render.h"
+#include "lancer/render/goal_plan.h"
 
 namespace lancer {
 namespace {
@@ -69,8 +69,8 @@ RenderOptions goal(double error, int spp = 1 << 14) {
     options.threads = 2;
     options.spp = spp;
     options.intervals = true;
-    options.error = error;
-    options.error_floor = floor_of_test;
+    options.goal.error = error;
+    options.goal.floor = floor_of_test;
     return options;
 }
 
@@ -90,14 +90,14 @@ struct Rendered {
     RenderStatistics statistics;
 };
 
-TEST(Interval, LevelsArePowersOfTwoAndWhatLiesBetween) {
+TEST(Interval, LevelsArePowersOfTwoAndQuartersBetween) {
     std::vector<int> levels;
     for (int level = next_level(0); level < 100; level = next_level(level)) {
         levels.push_back(level);
     }
-    EXPECT_EQ(levels, (std::vector<int>{1, 2, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96}));
-    EXPECT_EQ(next_level(5), 6);
-    EXPECT_EQ(next_level(13), 16);
+    EXPECT_EQ(levels, (std::vector<int>{1, 2, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96}));
+    EXPECT_EQ(next_level(9), 10);
+    EXPECT_EQ(next_level(33), 40);
 }
 
 // Of the 2000 pixels of the noisy bands with a variance, 95 % are to be right in the long run. Pixels and seeds are independent: over ten seeds the share
@@ -210,8 +210,70 @@ TEST(ErrorGoal, IsReachedWhereItCanBeAndSamplesGoWhereTheErrorIs) {
     EXPECT_NEAR(rendered.statistics.error.heavy, heavy[3] / static_cast<double>(side * side), 1e-9);
 }
 
+// One tile of four is a hundred times as hard as the others: the relative variances are 33 and 1/3.
+class HardTile : public Device {
+public:
+    int lanes() const override { return 8; }
+    std::string description() const override { return "hard tile"; }
+    void follow(std::span<const glm::vec2>, std::span<glm::vec3>, RayCounts&) const override {}
+    void trace_paths(const PathRange& range, const PathSamples& samples, RayCounts& counts) const override {
+        std::size_t next = 0;
+        for (int y = range.y0; y < range.y1; ++y) {
+            for (int x = range.x0; x < range.x1; ++x) {
+                for (int i = range.first_sample; i < range.first_sample + range.sample_count; ++i) {
+                    const double u = chance(static_cast<std::uint64_t>(y * side + x) << 32 | static_cast<std::uint64_t>(i));
+                    const bool hard = 2 * x >= side && 2 * y >= side;
+                    samples.radiance[next++] = glm::vec3(static_cast<float>(!hard ? 2.0 * u : u < 1.0 / 34.0 ? 34.0 : 0.0));
+                }
+            }
+        }
+        counts.camera += range.paths();
+    }
+};
+
+RenderOptions planned_goal() {
+    RenderOptions options = goal(0.1);
+    options.goal.confidence = 0.7;
+    options.goal = plan_goal(HardTile(), options);
+    return options;
+}
+
+TEST(GoalPlan, AsksTilesForWhatIsEasy) {
+    const RenderOptions options = planned_goal();
+    const GoalPlan& plan = options.goal.plan;
+    ASSERT_EQ(plan.wanted.size(), 4u);
+    EXPECT_GE(plan.wanted[0] + plan.wanted[1] + plan.wanted[2] + plan.wanted[3], 0.7 * side * side);
+    EXPECT_GT(std::min({plan.wanted[0], plan.wanted[1], plan.wanted[2]}), 850);
+    EXPECT_LT(plan.wanted[3], 100);
+    // What even noise takes, with Student's t for seven in ten and 15 degrees of freedom, and what the least lucky of some pixels looks like.
+    const double samples = 1.074 * 1.074 / 3.0 / 0.01;
+    EXPECT_GT(plan.end, samples);
+    EXPECT_LT(plan.end, 3.0 * samples);
+    EXPECT_NEAR(options.goal.floor, 0.1, 0.02);
+    RenderOptions other = options;
+    other.threads = 1;
+    EXPECT_EQ(plan_goal(HardTile(), other).plan.wanted, plan.wanted);
+}
+
+TEST(GoalPlan, LeavesWhatIsHardestAlone) {
+    const auto samples_for = [](const RenderOptions& options) {
+        Film film(side, side);
+        FilmSums sums(side, side, Rendered::layers());
+        FilmState state(film, &sums, tile_size_for(options));
+        const RenderStatistics done = render(HardTile(), options, state);
+        EXPECT_TRUE(done.finished);
+        EXPECT_GE(done.error.share, 0.7);
+        return static_cast<double>(done.samples);
+    };
+    RenderOptions options = planned_goal();
+    const double planned = samples_for(options);
+    options.goal.plan = {};  // the share is kept in each tile
+    EXPECT_LT(planned, 0.2 * samples_for(options));
+}
+
 TEST(ErrorGoal, HasTheSameBitsForThreadsOrderShardsAndResuming) {
-    const RenderOptions options = goal(0.05, 2048);
+    RenderOptions options = goal(0.05, 2048);
+    options.goal = plan_goal(NoisyDevice(1), options);
     const Rendered whole(options);
     const auto same = [&](const Film& film, const FilmSums& sums) {
         for (std::size_t i = 0; i < film.samples.size(); ++i) {

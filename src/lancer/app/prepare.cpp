@@ -8,6 +8,7 @@
 
 #include "lancer/app/cli/spelling.h"
 #include "lancer/device/cpu/cpu.h"
+#include "lancer/render/goal_plan.h"
 #include "lancer/scene/integrator.h"
 #include "lancer/world/compile.h"
 
@@ -293,8 +294,8 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
     prepared.options.threads = arguments.threads.value_or(hardware_threads());
     prepared.options.spp = scene::follows_paths(scene) ? samples_wanted(scene, arguments) : 0;
     prepared.options.intervals = contents.runs;
-    prepared.options.error = arguments.error.value_or(0.0);
-    prepared.options.confidence = contents.confidence;
+    prepared.options.goal.error = arguments.error.value_or(0.0);
+    prepared.options.goal.confidence = contents.confidence;
     prepared.options.seconds = arguments.seconds.value_or(0.0);
     prepared.options.ssaa = scene.settings.ssaa;
     prepared.options.adaptive = scene.settings.antialiasing == scene::Antialiasing::adaptive;
@@ -317,8 +318,8 @@ std::optional<Prepared> prepare(scene::Scene scene, const RenderArguments& argum
     prepared.device = make_cpu_device(world, cpu);
     prepared.metadata = describe(scene, arguments, command);
     if (prepared.options.intervals) {
-        prepared.options.error_floor = find_error_floor(*prepared.device, prepared.options);
-        prepared.contents.floor = prepared.options.error_floor;
+        prepared.options.goal = plan_goal(*prepared.device, prepared.options);
+        prepared.contents.floor = prepared.options.goal.floor;
     }
     prepared.scene = std::move(scene);
     return prepared;

@@ -6,23 +6,15 @@
 
 namespace lancer {
 
-namespace {
-
-// A pixel's half width scatters around what is true of its neighbourhood, as the root of chi-squared over its freedom does: 95 % stay below 1.29 times it.
-constexpr double scatter = 25.0 / 15.0;  // squared
-
-}  // namespace
-
 int next_level(int level) {
-    if (level < 2) {
-        return level + 1;
+    if (level < first_decision) {
+        return level == 0 ? 1 : 2 * level;
     }
-    int power = 2;
-    while (2 * power <= level) {
-        power *= 2;
+    int step = 1;  // a quarter of the power of two below
+    while (8 * step <= level) {
+        step *= 2;
     }
-    // 2, 4, 6, 8, 12, 16: powers of two, and from 4 on what lies half way.
-    return power == 2 ? 4 : level < power + power / 2 ? power + power / 2 : 2 * power;
+    return (level / step + 1) * step;
 }
 
 namespace {
@@ -32,7 +24,6 @@ class TileErrors {
 public:
     TileErrors(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit);
 
-    bool reached() const { return static_cast<double>(known_) >= confidence_ * static_cast<double>(pixels_); }
     std::vector<std::size_t> wanting() const;
 
     // As it will be, as far as can be told, when these cells have their next level: errors fall with the root of the number of samples; the share of one
@@ -45,20 +36,32 @@ private:
         std::vector<double> tails;    // of each pixel; 1 and less is trusted
         int level = 0;                // of samples
         double need = 0.0;            // mean of the squares, or what it is around, whichever is more
-        bool failing = false;
+        double around = 0.0;          // the square of the errors around it
     };
+    // How many times the samples that it has a pixel needs to be known, as far as can be told; 1 or less where it is known.
+    static double missing(const Cell& cell, std::size_t pixel) {
+        const double tail = cell.tails[pixel];
+        return std::max({cell.squares[pixel], cell.around, tail * tail * tail * tail});
+    }
     void judge();
+    // How much error a cell may have at a level, as a square: that of the goal at the end that is foreseen, and less before, so that what is easy ends
+    // better than it must. That costs little and does more for the picture than the last samples of what is hard.
+    // After few samples a cell may have been lucky, and has to be better.
+    double allowed(int level) const {
+        const double luck = 1.0 + 2.0 / 3.0 * std::sqrt(static_cast<double>(first_decision) / level);
+        return (end_ > 0.0 ? std::min(1.0, std::cbrt(level * samples_of_level / end_)) : 1.0) / luck;
+    }
 
-    double confidence_;
+    double end_;
     int last_level_;
     std::size_t across_ = 0;
     std::vector<Cell> cells_;
+    std::size_t wanted_ = 0;  // pixels
     std::size_t known_ = 0;
-    std::size_t pixels_ = 0;
 };
 
 TileErrors::TileErrors(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit)
-    : confidence_(goal.confidence), last_level_(limit / samples_of_level) {
+    : end_(goal.plan.end), last_level_(limit / samples_of_level) {
     const Tile& place = state.tiles()[tile];
     const Film& film = state.film();
     across_ = cells_across(place);
@@ -74,8 +77,9 @@ TileErrors::TileErrors(const ErrorGoal& goal, const IntervalRule& rule, const Fi
                 cells_[i].tails.push_back(interval.tail);
             }
         }
-        pixels_ += cells_[i].squares.size();
     }
+    wanted_ = goal.plan.wanted.empty() ? static_cast<std::size_t>(std::ceil(goal.confidence * place.width() * place.height()))
+                                       : static_cast<std::size_t>(goal.plan.wanted[tile]);
     judge();
 }
 
@@ -88,32 +92,43 @@ void TileErrors::judge() {
     known_ = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         Cell& cell = cells_[i];
-        std::size_t known = 0;
-        for (std::size_t k = 0; k < cell.squares.size(); ++k) {
-            const bool good = cell.level >= first_decision && std::max(cell.squares[k], around[i]) <= 1.0 && cell.tails[k] <= 1.0;
-            known += good ? 1u : 0u;
-        }
-        known_ += known;
-        cell.failing = known < cell.squares.size();
+        cell.around = around[i];
         cell.need = std::max(means[i], around[i]);
+        for (std::size_t k = 0; k < cell.squares.size(); ++k) {
+            known_ += cell.level >= first_decision && missing(cell, k) <= 1.0 ? 1u : 0u;
+        }
     }
 }
 
 std::vector<std::size_t> TileErrors::wanting() const {
     std::vector<std::size_t> cells;
-    if (reached()) {
+    const bool reached = known_ >= wanted_;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        const Cell& cell = cells_[i];
+        const bool goes_on = end_ > 0.0 ? cell.level * samples_of_level < end_ : !reached;
+        if (cell.level < last_level_ && (cell.level < first_decision || (goes_on && cell.need > allowed(cell.level)))) {
+            cells.push_back(i);
+        }
+    }
+    if (!cells.empty() || reached) {
         return cells;
     }
+    // All is as it was foreseen on average, but not well enough: those go on that are nearest to it, as far as can be told.
+    std::vector<std::pair<double, std::size_t>> nearest;  // of pixels that are not known: samples, cell
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-        if ((cells_[i].need * scatter > 1.0 || cells_[i].level < first_decision) && cells_[i].level < last_level_) {
-            cells.push_back(i);
+        for (std::size_t k = 0; k < cells_[i].squares.size(); ++k) {
+            if (const double more = missing(cells_[i], k); more > 1.0 && cells_[i].level < last_level_) {
+                nearest.emplace_back(more * cells_[i].level, i);
+            }
         }
     }
-    for (std::size_t i = 0, all = cells.empty() ? cells_.size() : 0; i < all; ++i) {  // all is well on average, but not well enough
-        if (cells_[i].failing && cells_[i].level < last_level_) {
-            cells.push_back(i);
-        }
+    std::sort(nearest.begin(), nearest.end());
+    nearest.resize(std::min(nearest.size(), wanted_ - known_));
+    for (const auto& [samples, cell] : nearest) {
+        cells.push_back(cell);
     }
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     return cells;
 }
 

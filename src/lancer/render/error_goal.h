@@ -14,24 +14,32 @@ constexpr int samples_of_level = 16;
 // Before this level nothing is decided.
 constexpr int first_decision = 4;
 
-// Cells of pixels (film/interval.h) get samples together: large enough that luck averages out, small enough to follow what is hard.
+// What a look at the whole picture, before the start, expects of a goal (render/goal_plan.h). Tiles of 32 x 32 pixels in the order of a film's.
+struct GoalPlan {
+    double end = 0.0;              // samples that the hardest of the pixels that are to be known will take; 0: nobody has looked
+    std::vector<int> wanted;       // pixels of each tile that are to be known
+    std::vector<double> expected;  // samples of each tile, of all its pixels; empty where nobody will ask
+};
+
+// Of a picture, the share `confidence` of the pixels is to be known within `error` of its luminance, at that confidence. Dark pixels count as if they
+// had luminance `floor`. Without a plan that share is to be known in each tile.
 //
-// In each tile, the share `confidence` of the pixels is to be known within `error` of its luminance, at that confidence. Dark pixels count as if they
-// had luminance `floor`.
+// Cells of pixels (film/interval.h) get samples together: large enough that luck averages out, small enough to follow what is hard.
 struct ErrorGoal {
     double error = 0.0;  // relative; 0: none
     double confidence = 0.95;
     double floor = 0.0;
+    GoalPlan plan;
 };
 
-// The cells of a tile that need more samples, row by row; none where the goal is reached. `limit`: samples a pixel that are not exceeded.
+// The cells of a tile that need more samples, row by row; none where its part of the goal is reached. `limit`: samples a pixel that are not exceeded.
 std::vector<std::size_t> wanting_cells(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile,
                                        int limit);
 
 // And how many samples the tile will take until its end, as far as can be told; 0 where no cell needs any.
 double foresee_samples(const ErrorGoal& goal, const IntervalRule& rule, const FilmState& state, std::size_t tile, int limit);
 
-// The levels are 1, 2, 4, 6, 8, 12, 16, 24, ...
+// The levels are 1, 2, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, ...
 int next_level(int level);
 
 // What can be said of a whole film.

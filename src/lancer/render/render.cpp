@@ -30,7 +30,7 @@ using Clock = std::chrono::steady_clock;
 
 // Samples of a pixel that are not exceeded: whole levels where there is a goal. 0 where paths are not what is followed.
 int samples_limit(const RenderOptions& options) {
-    return options.error > 0.0 ? std::max(1, (options.spp + samples_of_level - 1) / samples_of_level) * samples_of_level : options.spp;
+    return options.goal.error > 0.0 ? std::max(1, (options.spp + samples_of_level - 1) / samples_of_level) * samples_of_level : options.spp;
 }
 
 // One render: the tiles that are left, and what the threads have found so far.
@@ -63,8 +63,8 @@ public:
                 }
             }
             left_.resize(kept);
-            if (options_.error > 0.0 && observer_ != nullptr) {
-                progress_.error = report_errors(goal(), state_).reached;
+            if (options_.goal.error > 0.0 && observer_ != nullptr) {
+                progress_.error = report_errors(options_.goal, state_).reached;
             }
         }
         state_.show_splats();  // what fell on a pixel after its own last sample
@@ -77,7 +77,7 @@ public:
         result.seconds = seconds();
         result.out_of_time = !left_.empty() && is_out_of_time();
         result.finished = left_.empty() || (result.out_of_time && !is_cancelled(cancel_));
-        result.error = report_errors(goal(), state_);
+        result.error = report_errors(options_.goal, state_);
         result.clamped = clamped_share();
         result.bad_samples = BadSamples(device_, state_);
         const Film& film = state_.film();
@@ -94,8 +94,6 @@ public:
     }
 
 private:
-    ErrorGoal goal() const { return {options_.error, options_.confidence, options_.error_floor}; }
-
     bool is_out_of_time() const { return options_.seconds > 0.0 && seconds() >= options_.seconds; }
     bool stops() const { return is_cancelled(cancel_) || is_out_of_time(); }
 
@@ -168,8 +166,8 @@ private:
     }
 
     std::unique_ptr<TileSampler> make_sampler() {
-        if (options_.error > 0.0) {
-            return std::make_unique<GoalPathSampler>(device_, state_, goal(), samples_limit(options_));
+        if (options_.goal.error > 0.0) {
+            return std::make_unique<GoalPathSampler>(device_, state_, options_.goal, samples_limit(options_));
         }
         if (options_.spp > 0) {
             return std::make_unique<PathSampler>(device_, state_, options_.spp);
@@ -199,7 +197,7 @@ private:
 
     // Where the number of samples is known, all that are there count; otherwise the work.
     double share_done() const {
-        if (options_.error == 0.0 && options_.seconds == 0.0) {
+        if (options_.goal.error == 0.0 && options_.seconds == 0.0) {
             return static_cast<double>(progress_.pixels_done) / static_cast<double>(progress_.pixels_total);
         }
         return std::max(progress_.seconds / std::max(progress_.seconds + progress_.seconds_left, 1e-9), progress_.share);
@@ -211,9 +209,14 @@ private:
             sizes[tile] = static_cast<double>(area(state_.tiles()[tile]));
         }
         time_left_ = TimeLeft(sizes);
-        for (std::size_t i = 0; options_.error == 0.0 && i < left_.size(); ++i) {
-            const std::int64_t all = area(state_.tiles()[left_[i]]) * std::max(samples_limit(options_), 1);
-            time_left_.expect(left_[i], static_cast<double>(all - done_before(left_[i])));
+        const std::vector<double>& expected = options_.goal.plan.expected;
+        if (options_.goal.error > 0.0 && expected.empty()) {
+            return;
+        }
+        for (const std::size_t tile : left_) {
+            const double all =
+                options_.goal.error > 0.0 ? expected[tile] : static_cast<double>(area(state_.tiles()[tile])) * std::max(options_.spp, 1);
+            time_left_.expect(tile, std::max(all - static_cast<double>(done_before(tile)), 0.0));
         }
     }
 
@@ -259,34 +262,9 @@ std::vector<int> shards_of_tiles(std::size_t tiles, int shards) {
     return owners;
 }
 
-double find_error_floor(const Device& device, const RenderOptions& options) {
-    constexpr int wanted = 4096;  // pixels
-    constexpr int samples = 4;
-    const double pixels = static_cast<double>(options.width) * options.height;
-    const int step = std::max(1, static_cast<int>(std::sqrt(pixels / wanted)));
-    double roots = 0.0;
-    int count = 0;
-    RayCounts ignored;
-    for (int y = step / 2; y < options.height; y += step) {
-        for (int x = step / 2; x < options.width; x += step, ++count) {
-            std::array<glm::vec3, samples> light;
-            device.follow_paths({x, y, x + 1, y + 1, 0, samples}, light, ignored);
-            double sum = 0.0;
-            for (const glm::vec3& c : light) {
-                const double y_of = luminance(glm::dvec3(c));
-                sum += std::isfinite(y_of) ? y_of : 0.0;
-            }
-            roots += std::sqrt(std::max(sum / samples, 0.0));
-        }
-    }
-    const double root = count > 0 ? roots / count : 0.0;
-    return std::max(0.1 * root * root, 1e-30);
-}
-
 bool is_finished(const RenderOptions& options, const FilmState& state, std::size_t tile) {
     const Tile& place = state.tiles()[tile];
-    if (options.error > 0.0) {
-        const ErrorGoal goal{options.error, options.confidence, options.error_floor};
+    if (const ErrorGoal& goal = options.goal; goal.error > 0.0) {
         return wanting_cells(goal, IntervalRule(goal.confidence, goal.floor), state, tile, samples_limit(options)).empty();
     }
     return options.spp == 0 ? state.rounds(tile) > 0
@@ -301,8 +279,8 @@ RenderStatistics render(const Device& device, const RenderOptions& options, Film
     assert(options.threads >= 0 && options.threads <= max_threads);
     assert(options.shard >= 1 && options.shard <= options.shards && options.shards <= max_shards);
     assert((state.sums() != nullptr) == (options.spp > 0) && state.tile_size() == tile_size_for(options));
-    assert(options.error == 0.0 || options.intervals);
-    assert(!options.intervals || options.error_floor > 0.0);
+    assert(options.goal.error == 0.0 || options.intervals);
+    assert(!options.intervals || options.goal.floor > 0.0);
     assert(options.spp == 0 || state.sums()->layers().runs == options.intervals);
 
     Work work(device, options, state, observer, cancel);

@@ -29,9 +29,7 @@ struct RenderOptions {
     double exposure = 0.0;             // stops; the comparison is made after it
     std::uint32_t shuffle = 0;         // 0: tiles row by row; otherwise the seed of another order. The picture is the same
     bool intervals = false;            // of the path integrator: the error is to be known
-    double error = 0.0;                // relative; 0: no goal. Otherwise `spp` is what is not exceeded (render/error_goal.h)
-    double confidence = 0.95;          // share of the pixels, and chance that the truth lies within a pixel's interval
-    double error_floor = 0.0;          // luminance that darker pixels count as having
+    ErrorGoal goal;                    // where goal.error > 0, `spp` is what is not exceeded
     double seconds = 0.0;              // after which the render ends; 0: none
     int shard = 1;                     // of `shards` shares of the tiles, only this one is rendered
     int shards = 1;
@@ -44,10 +42,6 @@ constexpr int max_shards = 1000000;
 
 // The side of the tiles that a film is cut into for these options, in pixels.
 int tile_size_for(const RenderOptions& options);
-
-// A tenth of the picture's brightness, for RenderOptions::error_floor: what is darker than that needs no better absolute precision. Brightness is the square
-// of the mean root of luminance over some 4096 pixels with four samples each, which a few lamps in the picture change little.
-double find_error_floor(const Device& device, const RenderOptions& options);
 
 // Which of `shards` shares of the work each tile of a picture belongs to, from 1 on: as good as at random, so that each share has its part of what
 // is hard, and as even as the number of tiles allows.

@@ -35,6 +35,7 @@ struct Status {
     FarmState state;
     int running = 0;
     int waiting = 0;             // tasks
+    double share = 0.0;          // of all work
     double seconds = 0.0;        // since the first task began; 0: none has
     double seconds_left = -1.0;  // below 0: not known
 
@@ -55,8 +56,9 @@ Status status_of(const FarmJob& job) {
         }
     }
     status.seconds = seconds_since_change(job.started_file());
-    if (status.running > 0 && status.state.units_done > 0) {
-        status.seconds_left = status.seconds * (job.units() - status.state.units_done) / status.state.units_done;
+    status.share = (status.state.units_done + status.state.units_begun) / job.units();
+    if (status.running > 0 && status.share > 0.0) {
+        status.seconds_left = status.seconds * (1.0 - status.share) / status.share;
     }
     return status;
 }
@@ -65,11 +67,10 @@ std::string line_of(const FarmJob& job, const Status& status) {
     const bool films = job.frames && job.shards == 1;
     const int done = films ? status.state.pictures_done : status.state.units_done;
     const int all = films ? job.pictures() : job.units();
-    const double share = static_cast<double>(done) / all;
     constexpr int cells = 24;
-    const int full = static_cast<int>(share * cells);
+    const int full = static_cast<int>(status.share * cells);
     std::string line =
-        fmt::format("[{:#<{}}{:-<{}}] {:3.0f} %  {} of {} {}", "", full, "", cells - full, std::floor(share * 100.0), done, all,
+        fmt::format("[{:#<{}}{:-<{}}] {:3.0f} %  {} of {} {}", "", full, "", cells - full, std::floor(status.share * 100.0), done, all,
                     films             ? "frames"
                     : job.shards == 1 ? "pictures"
                                       : "shards");
@@ -108,7 +109,7 @@ nlohmann::ordered_json to_json(const FarmJob& job, const Status& status) {
     }
     nlohmann::ordered_json json = {{"job", job.folder},
                                    {"done", status.is_done(job)},
-                                   {"share", static_cast<double>(status.state.units_done) / job.units()},
+                                   {"share", status.share},
                                    {"units", job.units()},
                                    {"units_done", status.state.units_done},
                                    {"pictures", job.pictures()},

@@ -45,12 +45,16 @@ FilmAbout about_film(const Prepared& prepared, const std::vector<std::string>& w
     about.texts["film:folder"] = std::filesystem::current_path().string();
     about.texts["film:wide"] = prepared.contents.wide ? "yes" : "no";
     about.texts["film:spectral-bins"] = fmt::format("{}", prepared.contents.spectral_bins);
-    about.texts["film:error"] = fmt::format("{}", options.error);
-    about.texts["film:confidence"] = fmt::format("{}", options.confidence);
-    about.texts["film:floor"] = fmt::format("{}", options.error_floor);
+    about.texts["film:error"] = fmt::format("{}", options.goal.error);
+    about.texts["film:confidence"] = fmt::format("{}", options.goal.confidence);
+    about.texts["film:floor"] = fmt::format("{}", options.goal.floor);
     about.texts["film:spp"] = fmt::format("{}", options.spp);
     about.texts["film:shard"] = fmt::format("{}", options.shard);
     about.texts["film:shards"] = fmt::format("{}", options.shards);
+    about.texts["film:end"] = fmt::format("{}", options.goal.plan.end);
+    for (const int pixels : options.goal.plan.wanted) {
+        about.lists["wanted"].push_back(fmt::format("{}", pixels));
+    }
     about.lists["words"] = words;
     for (const Aov aov : prepared.contents.aovs) {
         const auto kind = std::find_if(aov_kinds().begin(), aov_kinds().end(), [&](const AovKind& k) { return k.aov == aov; });
@@ -88,9 +92,16 @@ RenderOptions options_of(const FilmAbout& about, const FilmShape& shape) {
     options.height = shape.height;
     options.spp = whole_in(about.text("film:spp"));
     options.intervals = shape.layers.runs;
-    options.error = number_in(about.text("film:error"));
-    options.confidence = number_in(about.text("film:confidence"));
-    options.error_floor = number_in(about.text("film:floor"));
+    options.goal.error = number_in(about.text("film:error"));
+    options.goal.confidence = number_in(about.text("film:confidence"));
+    options.goal.floor = number_in(about.text("film:floor"));
+    options.goal.plan.end = number_in(about.text("film:end"));
+    for (const std::string& pixels : about.list("wanted")) {
+        options.goal.plan.wanted.push_back(whole_in(pixels));
+    }
+    if (options.goal.plan.wanted.size() != cut_tiles(shape.width, shape.height, shape.tile_size).size()) {
+        options.goal.plan = {};
+    }
     options.shard = std::max(1, whole_in(about.text("film:shard")));
     options.shards = std::max(1, whole_in(about.text("film:shards")));
     return options;

@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include <fmt/format.h>
+
+#include "lancer/base/failure.h"
+#include "lancer/image/replace_file.h"
 
 namespace lancer::app {
 
@@ -90,6 +94,24 @@ void RenderProgressPrinter::tile_done(const Film&, const Tile&, const RenderProg
     std::string more = fmt::format(",\"samples\":{},\"samples_per_second\":{:.0f}", progress.samples_done, a_second);
     more += has_error ? fmt::format(",\"error\":{:.6g}", progress.error) : "";
     printer_.show(progress.share, progress.seconds, progress.seconds_left, with_prefix(a_second, "samples/s") + error, more);
+}
+
+ProgressFile::~ProgressFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+}
+
+void ProgressFile::tile_done(const Film& film, const Tile& tile, const RenderProgress& progress) {
+    next_.tile_done(film, tile, progress);
+    const auto now = Clock::now();
+    if (last_ && now - *last_ < std::chrono::seconds(2)) {
+        return;
+    }
+    last_ = now;
+    try {
+        replace_file(path_, fmt::format("{:.4f}\n", progress.share));
+    } catch (const MachineFailure&) {  // the next time, maybe
+    }
 }
 
 }  // namespace lancer::app

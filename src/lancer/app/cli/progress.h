@@ -46,6 +46,22 @@ private:
     ProgressPrinter printer_;
 };
 
+// Keeps a file current that tells others how far the work is: its share, from 0 to 1. Removes it in the end. A file that can't be written is no reason to stop.
+class ProgressFile : public RenderObserver {
+public:
+    // Passes on to `next` what it is told; `next` must outlive it.
+    ProgressFile(std::string path, RenderObserver& next) : path_(std::move(path)), next_(next) {}
+    ~ProgressFile() override;
+    void tile_done(const Film& film, const Tile& tile, const RenderProgress& progress) override;
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    std::string path_;
+    RenderObserver& next_;
+    std::optional<Clock::time_point> last_;
+};
+
 std::string in_words(double seconds);                             // "0.213 s", "1 min 05 s"
 std::string with_prefix(double number, const std::string& unit);  // "12.3 M rays"
 

@@ -46,6 +46,8 @@ void add_job_options(CLI::App& app, RenderJob& job) {
     add_text(app, "--stats", job.stats, "FILE", "Numbers about the render, as JSON");
     add_text(app, "--preview", job.preview, "FILE", "A picture that is written anew while the render goes on, every second or less often");
     add_choice(app, "--progress", job.progress, {"bar", "plain", "json"}, "How progress is told, on standard error");
+    add_text(app, "--progress-file", job.progress_file, "FILE",
+             "A file that says how far the render is, as a share from 0 to 1, and goes when it ends; for programs on other machines");
     app.add_flag("--quiet", job.quiet, "Say nothing but warnings and errors");
     add_shard(app, job.shard);
     add_frame_range(app, job.frames,

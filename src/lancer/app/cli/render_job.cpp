@@ -146,8 +146,14 @@ public:
         }
         RenderProgressPrinter printer(style, job_.files.front());
         FrameProgress progress(printer, job_.part);
+        std::optional<ProgressFile> progress_file;
+        if (job_.progress_file) {
+            progress_file.emplace(*job_.progress_file, progress);
+        }
+        RenderObserver& observer = progress_file ? static_cast<RenderObserver&>(*progress_file) : progress;
         const std::clock_t processor_start = std::clock();
-        const RenderStatistics done = render(*prepared_->device, prepared_->options, state, &progress, &interrupted);
+        const RenderStatistics done = render(*prepared_->device, prepared_->options, state, &observer, &interrupted);
+        progress_file.reset();
         printer.clear();
         previews.reset();
         times_.render = done.seconds;
@@ -183,6 +189,9 @@ private:
         }
         if (job_.preview) {
             check_pictures({*job_.preview}, "--preview", diagnostics);
+        }
+        if (job_.progress_file) {
+            check_file(*job_.progress_file, "--progress-file", diagnostics);
         }
         const auto load_start = Clock::now();
         ImportReport report;

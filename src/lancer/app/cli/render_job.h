@@ -30,6 +30,7 @@ struct RenderJob {
     std::optional<std::string> sample_map;
     std::optional<std::string> stats;
     std::optional<std::string> progress;
+    std::optional<std::string> progress_file;
     std::optional<Shard> shard;
     std::optional<FrameRange> frames;  // one picture for each
     std::optional<double> fps;

@@ -51,10 +51,10 @@ nlohmann::ordered_json bad_samples_json(const BadSamples& bad, const World& worl
 
 // "error", "time", "samples", or "stopped".
 const char* ended_by(const RenderOptions& options, const RenderStatistics& done) {
-    return !done.finished                                                  ? "stopped"
-           : done.out_of_time                                              ? "time"
-           : options.error > 0.0 && done.error.share >= options.confidence ? "error"
-                                                                           : "samples";
+    return !done.finished                                                            ? "stopped"
+           : done.out_of_time                                                        ? "time"
+           : options.goal.error > 0.0 && done.error.share >= options.goal.confidence ? "error"
+                                                                                     : "samples";
 }
 
 nlohmann::ordered_json statistics_json(const Prepared& prepared, const RenderStatistics& done, const Times& times,
@@ -77,10 +77,10 @@ nlohmann::ordered_json statistics_json(const Prepared& prepared, const RenderSta
         {"ended_by", ended_by(prepared.options, done)},
         {"error",
          {{"reached", done.error.reached},
-          {"confidence", prepared.options.confidence},
+          {"confidence", prepared.options.goal.confidence},
           {"share", done.error.share},
           {"heavy_tailed", done.error.heavy},
-          {"floor", prepared.options.error_floor}}},
+          {"floor", prepared.options.goal.floor}}},
         {"clamped", done.clamped},
         {"pixels_that_are_not_numbers", done.bad_pixels},
         {"bad_samples", bad_samples_json(done.bad_samples, *prepared.world)},
@@ -102,16 +102,16 @@ namespace {
 // What ended it, and how well the picture is known.
 std::string goals_in_words(const RenderOptions& options, const RenderStatistics& done) {
     std::string words;
-    if (options.seconds > 0.0 || options.error > 0.0) {
-        const bool good = options.error > 0.0 && done.error.share >= options.confidence;
+    if (options.seconds > 0.0 || options.goal.error > 0.0) {
+        const bool good = options.goal.error > 0.0 && done.error.share >= options.goal.confidence;
         words += fmt::format("\nEnded by the {}.", done.out_of_time ? "time" : good ? "error" : "number of samples");
     }
     if (done.error.pixels > 0) {
         const double percent = 100.0;
         words += fmt::format("\nError: {:.3g}% or less for {:g}% of the pixels, at that confidence", done.error.reached * percent,
-                             options.confidence * percent);
-        if (options.error > 0.0) {
-            words += fmt::format("; {:.1f}% of them are known within {:g}%", done.error.share * percent, options.error * percent);
+                             options.goal.confidence * percent);
+        if (options.goal.error > 0.0) {
+            words += fmt::format("; {:.1f}% of them are known within {:g}%", done.error.share * percent, options.goal.error * percent);
         }
         if (done.error.heavy > 0.0) {
             words += fmt::format("; {:.2g}% have a heavy tail and are not trusted", done.error.heavy * percent);

@@ -29,6 +29,7 @@ struct Arguments {
     std::optional<double> seconds;
     std::optional<int> threads;
     std::optional<std::string> progress;
+    std::optional<std::string> progress_file;
     std::optional<std::string> stats;
     std::optional<std::string> checkpoint;
     bool quiet = false;
@@ -46,6 +47,7 @@ std::vector<std::string> words_of(const Arguments& arguments) {
     add("--time", arguments.seconds);
     add("--threads", arguments.threads);
     add("--progress", arguments.progress);
+    add("--progress-file", arguments.progress_file);
     add("--stats", arguments.stats);
     add("--checkpoint", arguments.checkpoint);
     if (arguments.quiet) {
@@ -114,6 +116,7 @@ void add_resume(CLI::App& program, Work& work) {
     add_duration(*app, "--time", arguments->seconds, "So long from now on");
     add_threads_option(*app, arguments->threads);
     add_choice(*app, "--progress", arguments->progress, {"bar", "plain", "json"}, "How progress is told, on standard error");
+    add_text(*app, "--progress-file", arguments->progress_file, "FILE", "A file that says how far the render is, as a share from 0 to 1");
     add_text(*app, "--stats", arguments->stats, "FILE", "Numbers about the render, as JSON");
     add_text(*app, "--checkpoint", arguments->checkpoint, "TIME", "How often the film is saved beside the picture; \"off\": never");
     app->add_flag("--quiet", arguments->quiet, "Say nothing but warnings and errors");

@@ -109,6 +109,7 @@ std::string FarmJob::shard_file(int unit) const {
 }
 std::string FarmJob::done_file(int picture) const { return (fs::path(folder) / "done" / picture_name(picture)).string(); }
 std::string FarmJob::failed_file(int unit) const { return (fs::path(folder) / "failed" / fmt::format("{}", unit)).string(); }
+std::string FarmJob::running_file(int unit) const { return (fs::path(folder) / "running" / fmt::format("{}", unit)).string(); }
 std::string FarmJob::log_file(const std::string& task) const { return (fs::path(folder) / "log" / (task + ".log")).string(); }
 std::string FarmJob::cancelled_file() const { return (fs::path(folder) / "cancelled").string(); }
 std::string FarmJob::started_file() const { return (fs::path(folder) / "started").string(); }
@@ -187,7 +188,7 @@ std::optional<FarmJob> read_farm_job(const std::string& folder, std::string& sen
 void write_manifest(const FarmJob& job) { replace_file(manifest_file(job.folder), to_json(job).dump(2) + "\n"); }
 
 void make_farm_folder(const FarmJob& job) {
-    for (const char* name : {"shards", "done", "failed", "log"}) {
+    for (const char* name : {"shards", "done", "failed", "running", "log"}) {
         std::error_code error;
         fs::create_directories(fs::path(job.folder) / name, error);
         if (error) {
@@ -203,6 +204,7 @@ FarmState look_at(const FarmJob& job) {
     const std::unordered_set<std::string> done = names_in((fs::path(job.folder) / "done").string());
     const std::unordered_set<std::string> shards = names_in((fs::path(job.folder) / "shards").string());
     const std::unordered_set<std::string> failed = names_in((fs::path(job.folder) / "failed").string());
+    const std::unordered_set<std::string> running = names_in((fs::path(job.folder) / "running").string());
     for (int picture = 0; picture < job.pictures(); ++picture) {
         state.pictures.push_back(done.contains(job.picture_name(picture)));
         state.pictures_done += state.pictures.back() ? 1 : 0;
@@ -212,6 +214,11 @@ FarmState look_at(const FarmJob& job) {
                              (job.shards > 1 && shards.contains(name_of(job.shard_file(unit))));
         state.units.push_back(is_done);
         state.units_done += is_done ? 1 : 0;
+        if (!is_done && running.contains(fmt::format("{}", unit))) {
+            double share = 0.0;
+            std::ifstream(job.running_file(unit)) >> share;
+            state.units_begun += std::clamp(share, 0.0, 1.0);
+        }
         if (!is_done && failed.contains(fmt::format("{}", unit))) {
             int status = 0;
             std::ifstream(job.failed_file(unit)) >> status;

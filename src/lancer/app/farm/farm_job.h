@@ -7,6 +7,7 @@
 //   done/            a file for each frame (or "picture") whose pictures stand where they belong
 //   failed/          a file for each unit that could not be done, with the exit status
 //   log/             what each task said
+//   running/         for each unit that a machine works on, the share of it that is done
 //   started          there since the first task began to work
 //   cancelled        there after `lancer farm cancel`
 // Each of these files appears whole, by renaming, and is the same whoever makes it. So two machines may do the same unit, and one that is killed
@@ -64,6 +65,7 @@ struct FarmJob {
     std::string shard_file(int unit) const;
     std::string done_file(int picture) const;
     std::string failed_file(int unit) const;
+    std::string running_file(int unit) const;
     std::string log_file(const std::string& task) const;
     std::string cancelled_file() const;
     std::string started_file() const;  // there since the first task began
@@ -86,12 +88,13 @@ void write_manifest(const FarmJob& job);  // throws MachineFailure
 // Makes the folder with all that it holds. Throws MachineFailure.
 void make_farm_folder(const FarmJob& job);
 
-// What is there, by reading two folders, however many units there are.
+// What is there, by reading some folders, however many units there are.
 struct FarmState {
     std::vector<bool> pictures;               // done
     std::vector<bool> units;                  // done, or part of a picture that is
     std::vector<std::pair<int, int>> failed;  // unit, exit status
     int units_done = 0;
+    double units_begun = 0.0;  // of the others, what is done: the sum of their shares
     int pictures_done = 0;
     bool cancelled = false;
 };

@@ -86,7 +86,8 @@ int merge_picture(const FarmJob& job, int picture) {
 int do_unit(const FarmJob& job, int unit) {
     std::vector<std::string> words = job.render_words(unit);
     std::vector<std::string> machine = words_of_machine();
-    machine.insert(machine.end(), {"--checkpoint", job.checkpoint > 0.0 ? fmt::format("{}s", job.checkpoint) : "off", "--quiet"});
+    machine.insert(machine.end(), {"--checkpoint", job.checkpoint > 0.0 ? fmt::format("{}s", job.checkpoint) : "off", "--quiet",
+                                   "--progress-file", job.running_file(unit)});
     words.insert(words.end(), machine.begin(), machine.end());
     // What a task before this one had done when it was stopped is not done again.
     if (job.shards > 1 && is_there(checkpoint_path(job.shard_file(unit)))) {
@@ -169,8 +170,10 @@ FarmMerge merge_farm(const FarmJob& job, bool partial) {
     if (result.missing.empty() && result.status == exit_done && !job.keep_shards) {
         // What killed tasks have left.
         std::error_code ignored;
-        for (const auto& entry : fs::directory_iterator(fs::path(job.folder) / "shards", ignored)) {
-            fs::remove(entry.path(), ignored);
+        for (const char* const folder : {"shards", "running"}) {
+            for (const auto& entry : fs::directory_iterator(fs::path(job.folder) / folder, ignored)) {
+                fs::remove(entry.path(), ignored);
+            }
         }
     }
     return result;
