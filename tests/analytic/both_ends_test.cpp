@@ -114,7 +114,7 @@ TEST_P(BothEnds, FormFactorOfFacingSquares) {
 }
 
 // A point light over the middle of a square: the irradiance integrates to the power that the square catches, intensity times its solid angle.
-TEST_P(BothEnds, ASquareUnderAPointLightCatchesItsSolidAngle) {
+Physical lit_square() {
     Physical world(1);
     world.add(rectangle({-0.5f, 0.0f, 0.5f}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1.0f}), world.material(diffuse(1.0)));
     scene::Light light;
@@ -124,9 +124,29 @@ TEST_P(BothEnds, ASquareUnderAPointLightCatchesItsSolidAngle) {
     world.look({0.0, 0.5, 0.0}, {0.0, -1.0, 0.0}, {0.0, 0.0, -1.0});
     world.scene.cameras[0].projection = scene::Projection::orthographic;
     world.scene.cameras[0].extent = 1.0;
-    const double h = 0.7;
-    const double solid_angle = 4.0 * std::asin(0.25 / (0.25 + h * h));
-    expect_near(mean_of_picture(world, GetParam(), 8, 512), 3.0 * solid_angle / pi, 0.004);
+    return world;
+}
+
+const double caught_by_square = 3.0 / pi * 4.0 * std::asin(0.25 / (0.25 + 0.7 * 0.7));
+
+TEST_P(BothEnds, ASquareUnderAPointLightCatchesItsSolidAngle) {
+    expect_near(mean_of_picture(lit_square(), GetParam(), 8, 512), caught_by_square, 0.004);
+}
+
+// In the inmost of five bodies, the largest of which fills the place of all: light finds it as the rays that ask the lamp do.
+TEST_P(BothEnds, ALampShinesOutOfFiveBodies) {
+    Physical world = lit_square();
+    for (int i = 0; i < 5; ++i) {
+        scene::Medium medium;
+        medium.coefficients = scene::AbsorbingScattering{scene::Rgb(i == 4 ? 4.0 : 0.5), scene::Rgb(0.0)};
+        world.scene.media.push_back(medium);
+        scene::Material border;
+        border.model = scene::NullMaterial{};
+        border.interior = i;
+        border.priority = i == 4 ? 1 : -i;
+        world.add(scene::Sphere{{0.0, 0.7, 0.0}, 0.03 * (i + 1)}, world.material(border));
+    }
+    expect_near(mean_of_picture(world, GetParam(), 8, 512), caught_by_square * std::exp(-4.0 * 0.15), 0.004);
 }
 
 // Light from everywhere on a ball that loses nothing: it can't be told from the sky.

@@ -1,6 +1,7 @@
 // Media where the answer is known: how light fades, shines and passes borders that bend nothing.
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -230,6 +231,37 @@ TEST(Media, AreEnteredInTheOrderOfTheirPriorities) {
     EXPECT_EQ(m.first, 1);
     EXPECT_EQ(m.second, 1);
     EXPECT_EQ(m.third, -1);
+}
+
+// What a ray leaves that started within was entered before what it left earlier: the same bodies, found from the inside out.
+TEST(Media, AreFoundFromWithinAsTheyWereEntered) {
+    using namespace kernel;
+    for (const int orders : {0, 1}) {
+        MediumRecord media[5] = {};
+        for (int i = 0; i < 5; ++i) {
+            media[i].priority = orders * (7 * i % 5 - 2);  // -2 0 2 -1 1
+        }
+        WorldRecord world{};
+        world.media = media;
+        world.has_priorities = orders;
+        // Of five the one that counts least is forgotten, wherever it stands: the last one, or else the one that was entered first.
+        for (int outermost = 0; outermost < 5; ++outermost) {
+            std::vector<int> outwards;
+            for (int i = 0; i < 5; ++i) {
+                outwards.push_back((outermost + 1 + i) % 5);
+            }
+            Media entered = no_media(), found = no_media();
+            for (int i = 0; i < 5; ++i) {
+                entered = entered_in_order(world, entered, outwards[4 - static_cast<std::size_t>(i)], true);
+                found = entered_before(world, found, outwards[static_cast<std::size_t>(i)], true);
+            }
+            EXPECT_EQ(found.first, orders == 0 ? outwards[0] : 2) << outermost;
+            EXPECT_EQ(found.first, entered.first);
+            EXPECT_EQ(found.second, entered.second);
+            EXPECT_EQ(found.third, entered.third);
+            EXPECT_EQ(found.fourth, entered.fourth);
+        }
+    }
 }
 
 // ---- The camera in the fog ------------------------------------------------------------------------------------------------------------------

@@ -77,6 +77,21 @@ scene::Mesh grid(int side) {
     return scene::Mesh{mesh, false};
 }
 
+// A lamp of two triangles, too near and too large to be looked at as one point, in a scene that is not small.
+std::shared_ptr<const World> world_with_pane() {
+    scene::Scene scene = lit_scene();
+    auto pane = std::make_shared<scene::TriangleMesh>();
+    pane->positions = {{-0.5f, 0.7f, -0.4f}, {0.6f, 0.7f, -0.4f}, {0.6f, 0.9f, 0.5f}, {-0.5f, 0.9f, 0.5f}};
+    pane->triangles = {{0, 1, 2}, {0, 2, 3}};
+    scene.objects.resize(2);
+    scene.objects[0].shape = scene::Mesh{pane, false};
+    scene.materials.emplace_back().model = scene::DiffuseMaterial{};
+    scene.objects[1].shape = grid(6);
+    scene.objects[1].material = 1;
+    scene.objects[1].to_parent = glm::translate(glm::dmat4(1.0), {0.0, -90.0, 0.0});
+    return compiled(scene);
+}
+
 scene::ImageTexture bright_picture() {
     const Image image{2, 2, 3, std::vector<float>(12, 0.5f)};
     const std::string file = testing::TempDir() + "bright.hdr";
@@ -169,6 +184,16 @@ std::vector<EmitterCase> emitter_cases() {
     cases.back().count = 70;
     for (const auto& [u, v] : {std::pair{0.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}}) {
         cases.back().corners.push_back(mesh_surface(cases.back().world->record(), 0, 0, u, v, true).position);
+    }
+    triangle = std::make_shared<scene::TriangleMesh>(*triangle);
+    triangle->positions[1] = {-0.3f, 1.52f, -0.3f};  // seen small: drawn by its area
+    triangle->positions[2] = {-0.4f, 1.5f, -0.2f};
+    add("small triangle", EMITTER_TRIANGLE, world_with(scene::Mesh{triangle, false}));
+    add("pane", EMITTER_MESH, world_with_pane());
+    for (const int part : {0, 1}) {
+        for (const auto& [u, v] : {std::pair{0.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}}) {
+            cases.back().corners.push_back(mesh_surface(cases.back().world->record(), 0, part, u, v, true).position);
+        }
     }
     const scene::Checker squares{scene::Rgb(1.0), scene::Rgb(0.0), 0.4, true};
     for (const scene::Texture& texture : {scene::Texture(scene::Rgb(1.0)), scene::Texture(squares)}) {

@@ -3,7 +3,7 @@
 #ifndef LANCER_KERNEL_BIDIRECTIONAL_H
 #define LANCER_KERNEL_BIDIRECTIONAL_H
 
-#include "lancer/kernel/bidirectional/join.h"
+#include "lancer/kernel/bidirectional/glance.h"
 #include "lancer/kernel/bidirectional/merge.h"
 #include "lancer/kernel/outcome.h"
 
@@ -37,95 +37,6 @@ FN_LARGE FilmSplat light_step(IN(WorldRecord) world, int depth, Float light_path
         keep_light_vertex(world, depth, v);
     }
     return splat;
-}
-
-// ---- Lamps and sky that are seen at once, or in mirrors and through smooth glass alone. --------------------------------------------------------
-//
-// Where mirrors or glass are on the way only the camera finds them, whatever is followed from the lamps; and what they need is edges without steps. So
-// each sample of a path that is joined comes with some of these, which cost little. A lamp that is seen at once is found by paths of light, too, however
-// small it looks.
-
-// Of lamps that a glance has met: how much of them is left to it.
-FN Float weight_of_glance(IN(WorldRecord) world, IN(Subpath) sub, IN(Meeting) met, Mask shining) {
-    Float weight = Float(1.0f);
-    Float reached = met.cosine * camera_density(world.camera, sub.path.direction) * Float(float(GLANCES));
-    reached = select(is_parallel(world.camera), reached, reached / max(met.distance * met.distance, Float(SMALLEST)));
-    Mask todo = both(shining, is_above(met.surface.emitter, Int(-1)));
-    while (some(todo)) {
-        int number = first_of(met.surface.emitter, todo);
-        Mask mine = both(todo, is_equal(met.surface.emitter, Int(number)));
-        EmitterRecord emitter = AT(world.emitters, number);
-        Float sides = Float(emitter.two_sided != 0 ? 2.0f : 1.0f);
-        Float place = place_density(world, emitter, met.surface.point, met.part, mine);
-        Float sent = Float(world.camera.width * world.camera.height) * emission_chance(world, number, mine) * place / sides;
-        Float by_light = square_of_density(sent / max(reached, Float(SMALLEST)));
-        weight = select(mine, Float(1.0f) / (Float(1.0f) + by_light), weight);
-        todo = without(todo, mine);
-    }
-    return weight;
-}
-
-FN Subpath start_glance(IN(WorldRecord) world, Float pixel_x, Float pixel_y, UInt key, UInt number, Mask alive) {
-    return start_from_camera(world, pixel_x, pixel_y, scramble(key ^ UInt(0x4c4f4f4bu)), number, Float(1.0f), alive);
-}
-
-// Glass sends back few of the rays that it meets, but the mirror image of a bright lamp may outshine all else. So of each two glances one looks only into
-// the mirror of the first smooth border that they meet, and the other only through it. Which part of the material that is, 0 or nearly 1.
-FN Float one_of_both_ways(bool into_mirror, Float drawn, IN(BidirVertex) v, INOUT(Subpath) sub) {
-    Float part = drawn;
-    Mask border = both(sub.path.alive, is_equal(v.closure.kind, Int(BSDF_DIELECTRIC)));
-    border = without(border, is_rough_border(v.closure));
-    if (some(border)) {
-        Float chance = mean(border_share(v.closure, v.wo.z));
-        border = both(border, both(chance > Float(0.0f), chance < Float(0.999f)));
-        Float share = chance;
-        Float end = Float(0.0f);
-        if (!into_mirror) {
-            share = Float(1.0f) - chance;
-            end = Float(0.99999994f);
-        }
-        part = select(border, end, part);
-        sub.path.throughput = select(border, sub.path.throughput * (share * Float(2.0f)), sub.path.throughput);
-    }
-    return part;
-}
-
-// `number`: of the glance.
-FN_LARGE void glance_step(IN(WorldRecord) world, int depth, int number, INOUT(Subpath) sub, INOUT(RayTally) tally) {
-    if (depth == 0) {
-        tally.camera += lanes_in(sub.path.alive);
-    } else {
-        tally.secondary += lanes_in(sub.path.alive);
-    }
-    Meeting met;
-    BidirVertex v;
-    meet_vertex(world, depth, false, sub, met, v);
-    Spectrum light = met.surface.emission;
-    if (depth == 0 && some(met.here)) {
-        Mask shining = without(met.here, is_black(light));
-        if (some(shining)) {
-            light = light * weight_of_glance(world, sub, met, shining);
-        }
-    }
-    if (world.environment >= 0 && (depth > 0 || world.sky.visible != 0) && some(met.missed)) {
-        light = select(met.missed, sky_radiance(world, sub.path.direction, sub.path.nanometres, met.missed), light);
-    }
-    sub.path.radiance =
-        select(either(met.here, met.missed), sub.path.radiance + first_alone(sub.path.throughput * light, sub.single), sub.path.radiance);
-    Mask matt = either(is_equal(v.closure.kind, Int(BSDF_DIFFUSE)), is_equal(v.closure.kind, Int(BSDF_ROUGH_DIFFUSE)));
-    sub.path.alive = without(without(both(sub.path.alive, met.here), matt), v.floats);
-    if (depth >= world.max_depth) {
-        sub.path.alive = nowhere();
-    }
-    if (some(sub.path.alive)) {
-        Vec2 choice = decide(sub.path, depth, DECISION_CHOICE);
-        Float part = choice.y;
-        if (depth == 0) {
-            part = one_of_both_ways(number % 2 == 0, part, v, sub);
-        }
-        scatter_subpath(world, depth, false, part, v, no_merging(), sub);
-        sub.path.alive = both(sub.path.alive, sub.straight);
-    }
 }
 
 // ---- Light that the camera's half meets by itself. ------------------------------------------------------------------------------------------
@@ -225,6 +136,73 @@ FN_LARGE void camera_step(IN(WorldRecord) world, int depth, int kept, bool gathe
             scatter_subpath(world, depth, false, choice.y, v, merging, sub);
         }
     }
+}
+
+// ---- The whole of one sample. ---------------------------------------------------------------------------------------------------------------
+
+// The device adds light to the film where `splat.valid`, weighed by each pixel's filter.
+FN void put_splat(IN(WorldRecord) world, IN(FilmSplat) splat, Vec4 nanometres);
+
+FN void put_if_sound(IN(WorldRecord) world, IN(FilmSplat) splat, Vec4 nanometres, INOUT(Mask) sound) {
+    Mask good = is_sound(splat.light);
+    sound = without(sound, without(splat.valid, good));
+    FilmSplat put = splat;
+    put.valid = both(splat.valid, good);
+    put_splat(world, put, nanometres);
+}
+
+// One sample of a pixel, with the path of light that belongs to it.
+struct PixelSample {
+    Float x;  // of the pixel
+    Float y;
+    UInt key;
+    UInt number;  // of the sample
+    UInt light;   // of the path of light
+    Mask mask;
+};
+
+// The number of the path of light that belongs to a sample of a pixel.
+FN UInt path_of_light(IN(WorldRecord) world, UInt x, UInt y, UInt number) {
+    UInt width = UInt(uint(world.camera.width));
+    return number * (width * UInt(uint(world.camera.height))) + y * width + x;
+}
+
+FN Float light_paths(IN(WorldRecord) world) { return Float(world.camera.width * world.camera.height); }
+
+// Puts the path of light on the film; returns how many of its vertices are kept. `sound` loses those whose light is no number.
+FN_LARGE int follow_light(IN(WorldRecord) world, IN(PixelSample) one, Vec4 nanometres, bool keeps, IN(MergeWeights) merging,
+                          INOUT(Mask) sound, INOUT(RayTally) tally) {
+    LightStart start;
+    Subpath lit = start_from_light(world, one.light, nanometres, one.mask, start);
+    FilmSplat splat = join_light_to_camera(world, start, lit, light_paths(world), keeps, tally);
+    put_if_sound(world, splat, nanometres, sound);
+    int kept = 0;
+    while (some(lit.path.alive)) {
+        splat = light_step(world, kept, light_paths(world), keeps, start, merging, lit, tally);
+        put_if_sound(world, splat, nanometres, sound);
+        ++kept;
+    }
+    return kept;
+}
+
+// What the camera's half, joined with the `kept` vertices of light's, and glances bring to the pixel, as linear RGB.
+FN_LARGE Vec3 follow_camera(IN(WorldRecord) world, IN(PixelSample) one, int kept, bool gathers, IN(PhotonField) field,
+                            IN(MergeWeights) merging, INOUT(Subpath) camera, INOUT(Mask) sound, INOUT(RayTally) tally) {
+    for (int depth = 0; some(camera.path.alive); ++depth) {
+        camera_step(world, depth, kept, gathers, field, merging, camera, tally);
+    }
+    sound = both(sound, is_sound(camera.path.radiance));
+    Vec3 rgb = light_in_pixel(world, camera.path, camera.path.radiance, one.mask);
+    for (int i = 0; i < GLANCES; ++i) {
+        UInt number = one.number * UInt(uint(GLANCES)) + UInt(uint(i));
+        Subpath glance = start_glance(world, one.x, one.y, one.key, number, one.mask);
+        for (int depth = 0; some(glance.path.alive); ++depth) {
+            glance_step(world, depth, i, glance, tally);
+        }
+        sound = both(sound, is_sound(glance.path.radiance));
+        rgb = rgb + light_in_pixel(world, glance.path, glance.path.radiance, one.mask) * Float(1.0f / float(GLANCES));
+    }
+    return rgb;
 }
 
 NAMESPACE_END

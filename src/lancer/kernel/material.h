@@ -176,11 +176,21 @@ FN SurfacePoint without_patch(IN(SurfacePoint) point) {
 // What the lanes of `mine` find of one material at their points.
 FN void take_material(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) s, Vec3 direction, Mask inside, Vec4 nanometres,
                       Mask mine, INOUT(PathVertex) vertex) {
-    Closure c = material_closure(world, material, s, nanometres, mine);
-    if ((material.flags & MATERIAL_ONE_SIDED) != 0) {
-        c.kind = select(inside, Int(BSDF_NONE), c.kind);
+    if (material.kind == BSDF_DIFFUSE && material.input_count == 0 && (material.flags & MATERIAL_BLENDS) == 0) {
+        // The most frequent one, and it has nothing but a colour.
+        Mask shown = mine;
+        if ((material.flags & MATERIAL_ONE_SIDED) != 0) {
+            shown = without(mine, inside);
+        }
+        vertex.closure.kind = select(shown, Int(BSDF_DIFFUSE), vertex.closure.kind);
+        vertex.closure.color = select(mine, color_value(world, material.color, s, nanometres, mine), vertex.closure.color);
+    } else {
+        Closure c = material_closure(world, material, s, nanometres, mine);
+        if ((material.flags & MATERIAL_ONE_SIDED) != 0) {
+            c.kind = select(inside, Int(BSDF_NONE), c.kind);
+        }
+        vertex.closure = select_closure(mine, c, vertex.closure);
     }
-    vertex.closure = select_closure(mine, c, vertex.closure);
     if ((material.flags & MATERIAL_RELIEF) != 0) {
         Vec3 bent = bent_normal(world, material, s, mine);
         if ((material.flags & MATERIAL_HILLS) != 0) {

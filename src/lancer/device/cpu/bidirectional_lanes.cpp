@@ -10,10 +10,11 @@
 
 namespace lancer::LANCER_KERNEL {
 
-// What is too large for registers: the vertices of the paths of light, one for each depth, each for all lanes; and the photons that were gathered
-// last, for each lane. The world's record points to it.
+// What is too large for registers: the vertices of the paths of light, one for each depth, each for all lanes; where their light falls; and the photons
+// that were gathered last, for each lane. The world's record points to it.
 struct Store {
     std::vector<BidirVertex> vertices;
+    std::vector<Splat>* splats = nullptr;
     const PhotonMap* photons = nullptr;
     std::vector<const PhotonRecord*> gathered[LANES];
 };
@@ -36,9 +37,8 @@ Int gather_photons(IN(WorldRecord) world, Vec3 position, Float, Mask mask) {
     position.z.store_aligned(z);
     for (unsigned left = mask_bits(mask); left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
-        const float place[3] = {x[lane], y[lane], z[lane]};
         store.gathered[lane].clear();
-        store.photons->gather(place, store.gathered[lane]);
+        store.photons->gather(vec3(x[lane], y[lane], z[lane]), store.gathered[lane]);
         count[lane] = static_cast<std::int32_t>(store.gathered[lane].size());
     }
     return Int::load_aligned(count);
@@ -120,13 +120,12 @@ std::vector<PhotonRecord> LANCER_PHOTONS(const kernel::WorldRecord& world, int s
         alignas(64) std::uint32_t number[LANES];
         for (int lane = 0; lane < LANES; ++lane) {
             on[lane] = begin + lane < count ? 1.0f : 0.0f;
-            number[lane] = static_cast<std::uint32_t>(sample) * static_cast<std::uint32_t>(PHOTON_PATHS) +
-                           static_cast<std::uint32_t>(first + begin + lane);
+            number[lane] = static_cast<std::uint32_t>(first + begin + lane);
         }
         const Mask mask = Float::load_aligned(on) > Float(0.5f);
         const Vec4 nanometres = photon_wavelengths(world, sample, mask);
         LightStart start;
-        Subpath lit = start_from_light(world, UInt::load_aligned(number) + UInt(0x80000000u), nanometres, mask, start);
+        Subpath lit = start_from_light(world, number_of_photons(sample, UInt::load_aligned(number)), nanometres, mask, start);
         std::vector<PhotonRecord> of_lanes[LANES];
         for (int depth = 0; some(lit.path.alive); ++depth) {
             BidirVertex v;
@@ -148,10 +147,11 @@ std::vector<PhotonRecord> LANCER_PHOTONS(const kernel::WorldRecord& world, int s
 float LANCER_RADIUS(const kernel::WorldRecord& world, int sample) { return lane_of(photon_field(world, sample).radius, 0); }
 
 // All pixels whose filter reaches the place.
-FN void put_splats(IN(WorldRecord) world, IN(FilmSplat) splat, Vec4 nanometres, std::vector<Splat>& splats) {
+void put_splat(IN(WorldRecord) world, IN(FilmSplat) splat, Vec4 nanometres) {
     if (!some(splat.valid)) {
         return;
     }
+    std::vector<Splat>& splats = *store_of(world).splats;
     const Vec3 rgb = spectrum_to_rgb(world, splat.light, nanometres, splat.valid);
     const float radius = world.filter_record.radius;
     const int reach = static_cast<int>(2.0f * radius) + 2;  // pixels along one side, at most
@@ -207,14 +207,12 @@ void LANCER_BIDIRECTIONAL(const kernel::WorldRecord& asked, const PathRange& ran
     const bool light_only = world.halves == HALF_OF_LIGHT;
     Store store;
     store.vertices.resize(static_cast<std::size_t>(light_only ? 0 : world.max_depth + 1));
+    store.splats = samples.splats;
     world.light_vertices = reinterpret_cast<const int*>(&store);
     PhotonsInUse photons(maps);
     int sample_of_photons = -1;
     PhotonField field = photon_field(world, 0);
     MergeWeights merging = no_merging();
-    const auto film_width = static_cast<std::uint32_t>(world.camera.width);
-    const auto film_height = static_cast<std::uint32_t>(world.camera.height);
-    const Float light_paths = Float(world.camera.width * world.camera.height);
     const std::size_t width = static_cast<std::size_t>(range.x1 - range.x0);
     const std::size_t pixels = width * static_cast<std::size_t>(range.y1 - range.y0);
     // Registers hold one sample of neighbouring pixels.
@@ -229,7 +227,6 @@ void LANCER_BIDIRECTIONAL(const kernel::WorldRecord& asked, const PathRange& ran
         alignas(64) std::uint32_t columns[LANES];
         alignas(64) std::uint32_t rows[LANES];
         alignas(64) std::uint32_t number[LANES];
-        alignas(64) std::uint32_t light[LANES];
         std::size_t slot[LANES];
         for (std::size_t lane = 0; lane < LANES; ++lane) {
             const std::size_t pixel = first + (lane < here ? lane : 0);
@@ -239,7 +236,6 @@ void LANCER_BIDIRECTIONAL(const kernel::WorldRecord& asked, const PathRange& ran
             y[lane] = static_cast<float>(rows[lane]);
             on[lane] = lane < here ? 1.0f : 0.0f;
             number[lane] = static_cast<std::uint32_t>(range.first_sample) + static_cast<std::uint32_t>(sample);
-            light[lane] = number[lane] * film_width * film_height + rows[lane] * film_width + columns[lane];
             slot[lane] = pixel * static_cast<std::size_t>(range.sample_count) + sample;
         }
         const Mask mask = Float::load_aligned(on) > Float(0.5f);
@@ -250,42 +246,22 @@ void LANCER_BIDIRECTIONAL(const kernel::WorldRecord& asked, const PathRange& ran
             field = photon_field(world, sample_number);
             merging = merge_weights(field);
         }
-        const UInt key = pixel_key(UInt::load_aligned(columns), UInt::load_aligned(rows), UInt(static_cast<std::uint32_t>(world.seed)));
-        Subpath camera =
-            start_from_camera(world, Float::load_aligned(x), Float::load_aligned(y), key, UInt::load_aligned(number), light_paths, mask);
+        PixelSample one;
+        one.x = Float::load_aligned(x);
+        one.y = Float::load_aligned(y);
+        one.key = pixel_key(UInt::load_aligned(columns), UInt::load_aligned(rows), UInt(static_cast<std::uint32_t>(world.seed)));
+        one.number = UInt::load_aligned(number);
+        one.light = path_of_light(world, UInt::load_aligned(columns), UInt::load_aligned(rows), one.number);
+        one.mask = mask;
+        Subpath camera = start_from_camera(world, one.x, one.y, one.key, one.number, light_paths(world), mask);
         if (maps != nullptr) {
             camera.path.nanometres = photon_wavelengths(world, sample_number, mask);
         }
-        LightStart start;
-        Subpath lit = start_from_light(world, UInt::load_aligned(light), camera.path.nanometres, mask, start);
         Mask sound = mask;
-        const auto put = [&](FilmSplat splat) {
-            const Mask good = is_sound(splat.light);
-            sound = without(sound, without(splat.valid, good));
-            splat.valid = both(splat.valid, good);
-            put_splats(world, splat, camera.path.nanometres, *samples.splats);
-        };
-        put(join_light_to_camera(world, start, lit, light_paths, !light_only, tally));
-        int kept = 0;
-        for (; some(lit.path.alive); ++kept) {
-            put(light_step(world, kept, light_paths, !light_only, start, merging, lit, tally));
-        }
+        const int kept = follow_light(world, one, camera.path.nanometres, !light_only, merging, sound, tally);
+        Vec3 rgb = vec3_all(Float(0.0f));
         if (!light_only) {
-            for (int depth = 0; some(camera.path.alive); ++depth) {
-                camera_step(world, depth, kept, maps != nullptr, field, merging, camera, tally);
-            }
-        }
-        sound = both(sound, is_sound(camera.path.radiance));
-        Vec3 rgb = light_in_pixel(world, camera.path, camera.path.radiance, mask);
-        for (int i = 0; i < (light_only ? 0 : GLANCES); ++i) {
-            Subpath glance = start_glance(
-                world, Float::load_aligned(x), Float::load_aligned(y), key,
-                UInt::load_aligned(number) * UInt(static_cast<std::uint32_t>(GLANCES)) + UInt(static_cast<std::uint32_t>(i)), mask);
-            for (int depth = 0; some(glance.path.alive); ++depth) {
-                glance_step(world, depth, i, glance, tally);
-            }
-            sound = both(sound, is_sound(glance.path.radiance));
-            rgb = rgb + light_in_pixel(world, glance.path, glance.path.radiance, mask) * Float(1.0f / static_cast<float>(GLANCES));
+            rgb = follow_camera(world, one, kept, maps != nullptr, field, merging, camera, sound, tally);
         }
         const Vec3 result = select(sound, rgb, vec3_all(Float(std::numeric_limits<float>::quiet_NaN())));
         result.x.store_aligned(x);

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "lancer/device/device.h"
+#include "lancer/kernel/bidirectional/photon_record.h"
 #include "lancer/kernel/records.h"
 
 namespace lancer {
@@ -23,12 +24,11 @@ using FindFaultFunction = PathFault (*)(const kernel::WorldRecord& world, int x,
 
 // `maps`: null where no photons are merged.
 class PhotonMaps;
-struct PhotonRecord;
 using TraceBothEndsFunction = void (*)(const kernel::WorldRecord& world, const PathRange& range, PhotonMaps* maps,
                                        const PathSamples& samples, RayCounts& counts);
 
 // Photons of the paths of one sample, from `first` on; and the radius that they are gathered from.
-using TracePhotonsFunction = std::vector<PhotonRecord> (*)(const kernel::WorldRecord& world, int sample, int first, int count);
+using TracePhotonsFunction = std::vector<kernel::PhotonRecord> (*)(const kernel::WorldRecord& world, int sample, int first, int count);
 using PhotonRadiusFunction = float (*)(const kernel::WorldRecord& world, int sample);
 
 struct CpuVariant {

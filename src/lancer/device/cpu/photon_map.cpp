@@ -8,23 +8,15 @@
 
 namespace lancer {
 
-namespace {
-
-// Cells are two radii wide, so that what lies within one radius is in eight cells at most.
-std::int32_t cell_of(float place, float radius) {
-    return static_cast<std::int32_t>(std::clamp(std::floor(place / (2.0f * radius)), -1.0e9f, 1.0e9f));
-}
-
-}  // namespace
-
 PhotonMap::PhotonMap(std::vector<PhotonRecord> photons, float radius) : radius_(radius) {
     const std::uint32_t buckets = std::bit_ceil(std::max<std::uint32_t>(static_cast<std::uint32_t>(photons.size()), 16u));
     mask_ = buckets - 1;
     std::vector<std::uint32_t> own(photons.size());
     first_.assign(buckets + 1u, 0u);
     for (std::size_t i = 0; i < photons.size(); ++i) {
-        const float* const p = photons[i].position;
-        own[i] = bucket(cell_of(p[0], radius_), cell_of(p[1], radius_), cell_of(p[2], radius_));
+        const glm::vec3 p = photons[i].position;
+        own[i] = kernel::photon_bucket(kernel::photon_cell(p.x, radius_), kernel::photon_cell(p.y, radius_),
+                                       kernel::photon_cell(p.z, radius_), mask_);
         ++first_[own[i] + 1u];
     }
     for (std::uint32_t b = 0; b < buckets; ++b) {
@@ -37,23 +29,15 @@ PhotonMap::PhotonMap(std::vector<PhotonRecord> photons, float radius) : radius_(
     }
 }
 
-// [Teschner et al. 2003]
-std::uint32_t PhotonMap::bucket(std::int32_t x, std::int32_t y, std::int32_t z) const {
-    return ((static_cast<std::uint32_t>(x) * 73856093u) ^ (static_cast<std::uint32_t>(y) * 19349663u) ^
-            (static_cast<std::uint32_t>(z) * 83492791u)) &
-           mask_;
-}
-
-void PhotonMap::gather(const float position[3], std::vector<const PhotonRecord*>& found) const {
-    std::int32_t low[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        low[axis] = cell_of(position[axis] - radius_, radius_);
-    }
+void PhotonMap::gather(const glm::vec3 position, std::vector<const PhotonRecord*>& found) const {
+    const std::int32_t x = kernel::photon_cell(position.x - radius_, radius_);
+    const std::int32_t y = kernel::photon_cell(position.y - radius_, radius_);
+    const std::int32_t z = kernel::photon_cell(position.z - radius_, radius_);
     // Different cells may share a bucket, which is to be looked through once.
     std::array<std::uint32_t, 8> seen{};
     std::size_t count = 0;
     for (int corner = 0; corner < 8; ++corner) {
-        const std::uint32_t b = bucket(low[0] + (corner & 1), low[1] + ((corner >> 1) & 1), low[2] + (corner >> 2));
+        const std::uint32_t b = kernel::photon_bucket(x + (corner & 1), y + ((corner >> 1) & 1), z + (corner >> 2), mask_);
         const auto end = seen.begin() + static_cast<std::ptrdiff_t>(count);
         if (std::find(seen.begin(), end, b) == end) {
             seen[count++] = b;
@@ -62,9 +46,8 @@ void PhotonMap::gather(const float position[3], std::vector<const PhotonRecord*>
     const float radius_2 = radius_ * radius_;
     for (std::size_t s = 0; s < count; ++s) {
         for (std::uint32_t i = first_[seen[s]]; i < first_[seen[s] + 1u]; ++i) {
-            const float* const p = photons_[i].position;
-            const float x = p[0] - position[0], y = p[1] - position[1], z = p[2] - position[2];
-            if (x * x + y * y + z * z < radius_2) {
+            const glm::vec3 way = photons_[i].position - position;
+            if (way.x * way.x + way.y * way.y + way.z * way.z < radius_2) {
                 found.push_back(&photons_[i]);
             }
         }

@@ -10,19 +10,11 @@
 #include <mutex>
 #include <vector>
 
+#include "lancer/kernel/bidirectional/photon_record.h"
+
 namespace lancer {
 
-// In world space; see kernel/bidirectional/merge.h.
-struct PhotonRecord {
-    float position[3];
-    float normal[3];
-    float from[3];
-    float light[4];
-    float meet;
-    float join;
-    float merge;
-    std::uint32_t depth_and_single;  // twice the depth, and 1 for those of one wavelength
-};
+using kernel::PhotonRecord;
 
 class PhotonMap {
 public:
@@ -30,12 +22,10 @@ public:
     PhotonMap(std::vector<PhotonRecord> photons, float radius);
 
     // Appends those within the radius of a place, in an order that depends on nothing else.
-    void gather(const float position[3], std::vector<const PhotonRecord*>& found) const;
+    void gather(glm::vec3 position, std::vector<const PhotonRecord*>& found) const;
     std::size_t size() const { return photons_.size(); }
 
 private:
-    std::uint32_t bucket(std::int32_t x, std::int32_t y, std::int32_t z) const;
-
     float radius_;
     std::uint32_t mask_ = 0;
     std::vector<std::uint32_t> first_;  // of each bucket, and the end of the last

@@ -143,7 +143,7 @@ FN_LARGE Spectrum join_emitter(IN(WorldRecord) world, int depth, IN(BidirVertex)
         light = select(good, emitted_light(world, emitter, s, sub.path.nanometres, good), light);
         density = select(good, s.density, density);
         discrete = either(discrete, both(good, s.discrete));
-        EmissionDensity back = emission_density(world, emitter, s.point, -s.direction, v.position, asked_place_density(emitter, s), good);
+        EmissionDensity back = emission_density(world, emitter, s.point, -s.direction, v.position, s.place, good);
         Mask far = s.distance >= Float(FAR);
         Float slant = select(s.discrete, s.distance * s.distance, abs(dot(s.direction, s.point.normal)));
         slant = select(far, Float(1.0f), slant);

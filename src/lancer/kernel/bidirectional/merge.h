@@ -64,6 +64,11 @@ FN Vec4 photon_wavelengths(IN(WorldRecord) world, int sample_number, Mask mask) 
     return nanometres;
 }
 
+// The number of a path of light that leaves photons for a sample; apart from those that are joined.
+FN UInt number_of_photons(int sample_number, UInt path) {
+    return UInt(uint(sample_number) * uint(PHOTON_PATHS)) + path + UInt(0x80000000u);
+}
+
 // The photon that the vertex of a path of light after `depth` others leaves there. Only where `v.valid`.
 FN_LARGE void photon_step(IN(WorldRecord) world, int depth, IN(LightStart) start, IN(MergeWeights) merging, INOUT(Subpath) sub,
                           INOUT(BidirVertex) v) {

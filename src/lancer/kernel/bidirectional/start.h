@@ -125,8 +125,9 @@ FN Ways ways_of_first_light(IN(WorldRecord) world, IN(LightStart) start, IN(Meet
         int number = first_of(start.emitter, todo);
         Mask mine = both(todo, is_equal(start.emitter, Int(number)));
         EmitterRecord emitter = AT(world.emitters, number);
-        if (emitter.kind == EMITTER_SPHERE) {
-            // A sphere is asked by the cone that it fills.
+        if (emitter.kind == EMITTER_SPHERE || emitter.kind == EMITTER_TRIANGLE || emitter.kind == EMITTER_MESH_TRIANGLE ||
+            is_pair(emitter)) {
+            // What is seen large is asked by the directions that it fills.
             Float by_angle = emitter_density(world, emitter, v.position, -start.emission.direction, start.emission.point, Int(0), mine);
             asked = select(mine, by_angle * start.emission.cosine / max(met.distance * met.distance, Float(SMALLEST)), asked);
         }

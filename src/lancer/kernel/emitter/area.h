@@ -101,9 +101,8 @@ FN AreaPoint placed_point(IN(PlacedRecord) shape, int kind, IN(EmitterRecord) em
     return point;
 }
 
-// A triangle of a small mesh.
-FN AreaPoint triangle_point(IN(WorldRecord) world, IN(EmitterRecord) emitter, Vec2 u, Mask mask) {
-    Vec2 on = on_triangle(u);
+// A triangle of a small mesh, at barycentric coordinates.
+FN AreaPoint triangle_point(IN(WorldRecord) world, IN(EmitterRecord) emitter, Vec2 on, Mask mask) {
     AreaPoint point;
     if (emitter.textured != 0) {
         ObjectRecord object = AT(world.objects, emitter.object);
@@ -118,8 +117,7 @@ FN AreaPoint triangle_point(IN(WorldRecord) world, IN(EmitterRecord) emitter, Ve
 }
 
 // One triangle of a large mesh.
-FN AreaPoint part_point(IN(WorldRecord) world, IN(EmitterRecord) emitter, Vec2 u, Mask mask) {
-    Vec2 on = on_triangle(u);
+FN AreaPoint part_point(IN(WorldRecord) world, IN(EmitterRecord) emitter, Vec2 on, Mask mask) {
     AreaPoint point;
     point.at = mesh_surface(world, emitter.index, Int(emitter.first_share), on.x, on.y, mask);
     point.density = Float(1.0f / emitter.area);

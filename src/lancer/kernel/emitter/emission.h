@@ -106,15 +106,6 @@ FN EmissionDensity emission_density(IN(WorldRecord) world, IN(EmitterRecord) emi
     return d;
 }
 
-// With which a sample that was asked for was drawn on a near emitter with a size, per square metre.
-FN Float asked_place_density(IN(EmitterRecord) emitter, IN(EmitterSample) s) {
-    Float density = Float(1.0f / emitter.area);
-    if (emitter.kind != EMITTER_SPHERE) {
-        density = s.density * abs(dot(s.direction, s.point.normal)) / max(s.distance * s.distance, Float(SMALLEST));
-    }
-    return density;
-}
-
 // ---- Drawing ------------------------------------------------------------------------------------------------------------------------------
 
 FN EmissionSample far_emission(IN(WorldRecord) world, Vec3 direction, Float density, Vec2 u, Mask discrete) {
@@ -213,11 +204,11 @@ FN EmissionSample emission_sample(IN(WorldRecord) world, IN(EmitterRecord) emitt
     } else if (emitter.kind == EMITTER_SPHERE) {
         s = area_emission(sphere_point(AT(world.spheres, emitter.index), emitter, place), emitter.two_sided != 0, side, u);
     } else if (emitter.kind == EMITTER_TRIANGLE) {
-        s = area_emission(triangle_point(world, emitter, place, mask), emitter.two_sided != 0, side, u);
+        s = area_emission(triangle_point(world, emitter, on_triangle(place), mask), emitter.two_sided != 0, side, u);
     } else if (emitter.kind == EMITTER_MESH) {
         s = area_emission(mesh_point(world, emitter, place, mask), emitter.two_sided != 0, side, u);
     } else if (emitter.kind == EMITTER_MESH_TRIANGLE) {
-        s = area_emission(part_point(world, emitter, place, mask), emitter.two_sided != 0, side, u);
+        s = area_emission(part_point(world, emitter, on_triangle(place), mask), emitter.two_sided != 0, side, u);
     } else if (emitter.kind == EMITTER_PLACED) {
         s = area_emission(placed_point(AT(world.placed, emitter.index), AT(world.objects, emitter.object).kind, emitter, place),
                           emitter.two_sided != 0, side, u);
@@ -235,6 +226,7 @@ FN EmissionSample emission_sample(IN(WorldRecord) world, IN(EmitterRecord) emitt
     seen.direction = -s.direction;
     seen.distance = Float(1.0f);
     seen.density = Float(1.0f);
+    seen.place = Float(1.0f);
     seen.discrete = s.discrete;
     seen.valid = s.valid;
     Mask good = both(mask, s.valid);

@@ -2,7 +2,7 @@
 #ifndef LANCER_KERNEL_EMITTER_SAMPLE_H
 #define LANCER_KERNEL_EMITTER_SAMPLE_H
 
-#include "lancer/kernel/emitter/area.h"
+#include "lancer/kernel/emitter/near_lamp.h"
 #include "lancer/kernel/emitter/sky.h"
 #include "lancer/kernel/frame.h"
 
@@ -14,12 +14,13 @@ struct EmitterSample {
     Vec3 direction;      // towards it, length 1
     Float distance;      // FAR for far ones
     Float density;       // per solid angle at the point that looks; 1 for lights without size
+    Float place;         // of the point, per square metre, where light itself begins; of near emitters with a size
     Mask discrete;       // a light without size
     Mask valid;
 };
 
 // A sphere seen from outside: directions uniform over what it covers of the sky. From inside: uniform over its surface.
-FN EmitterSample sphere_light_sample(IN(SphereRecord) sphere, bool textured, Vec3 from, Vec2 u) {
+FN EmitterSample sphere_light_sample(IN(SphereRecord) sphere, IN(EmitterRecord) emitter, Vec3 from, Vec2 u) {
     EmitterSample s;
     Vec3 center = broadcast(sphere.center);
     Float radius = Float(sphere.radius);
@@ -45,7 +46,7 @@ FN EmitterSample sphere_light_sample(IN(SphereRecord) sphere, bool textured, Vec
     s.point.normal = normal;
     s.point.position = center + normal * radius;
     s.point.error = (abs(center) + vec3_all(radius)) * Float(8.0f * ROUNDING);
-    if (textured) {
+    if (emitter.textured != 0) {
         s.point.uv = sphere_uv(normal);
         s.point.local = s.point.position;
         s.point.local_in = -normal;
@@ -57,12 +58,14 @@ FN EmitterSample sphere_light_sample(IN(SphereRecord) sphere, bool textured, Vec
     Float cosine = abs(dot(s.direction, normal));
     Float by_area = length_2 / max(cosine * Float(4.0f * PI) * radius_2, Float(SMALLEST));
     s.density = select(outside, Float(0.5f / PI) / max(room, Float(SMALLEST)), by_area);
+    s.place = Float(1.0f / emitter.area);
     s.discrete = Float(1.0f) < Float(0.0f);
     s.valid = s.distance > Float(0.0f);
     return s;
 }
 
-FN EmitterSample area_sample(IN(AreaPoint) point, Vec3 from) {
+// `solid_angle`: that it was drawn by; 0: by its area.
+FN EmitterSample area_sample(IN(AreaPoint) point, Float solid_angle, Vec3 from) {
     EmitterSample s;
     s.point = point.at;
     Vec3 way = point.at.position - from;
@@ -71,6 +74,8 @@ FN EmitterSample area_sample(IN(AreaPoint) point, Vec3 from) {
     s.direction = way / max(s.distance, Float(SMALLEST));
     Float cosine = abs(dot(s.direction, point.at.normal));
     s.density = point.density * distance_2 / max(cosine, Float(SMALLEST));
+    s.density = select(solid_angle > Float(0.0f), Float(1.0f) / max(solid_angle, Float(SMALLEST)), s.density);
+    s.place = point.density;
     s.discrete = Float(1.0f) < Float(0.0f);
     s.valid = both(cosine > Float(0.0f), distance_2 > Float(0.0f));
     return s;
@@ -84,6 +89,7 @@ FN EmitterSample far_sample(Vec3 from, Vec3 direction, Float density, Mask discr
     s.direction = direction;
     s.distance = Float(FAR);
     s.density = density;
+    s.place = Float(1.0f);
     s.discrete = discrete;
     s.valid = density > Float(0.0f);
     return s;
@@ -98,6 +104,7 @@ FN EmitterSample point_sample(IN(EmitterRecord) emitter, Vec3 from) {
     s.direction = way / max(s.distance, Float(SMALLEST));
     s.point.normal = -s.direction;
     s.density = Float(1.0f);
+    s.place = Float(1.0f);
     s.discrete = s.density > Float(0.0f);
     s.valid = s.distance > Float(0.0f);
     return s;
@@ -107,16 +114,18 @@ FN EmitterSample emitter_sample(IN(WorldRecord) world, IN(EmitterRecord) emitter
     Mask yes = Float(1.0f) > Float(0.0f);
     Mask no = Float(1.0f) < Float(0.0f);
     EmitterSample s;
+    Float solid_angle = Float(0.0f);
     if (emitter.kind == EMITTER_SPHERE) {
-        s = sphere_light_sample(AT(world.spheres, emitter.index), emitter.textured != 0, from, u);
-    } else if (emitter.kind == EMITTER_TRIANGLE) {
-        s = area_sample(triangle_point(world, emitter, u, mask), from);
+        s = sphere_light_sample(AT(world.spheres, emitter.index), emitter, from, u);
+    } else if (emitter.kind == EMITTER_TRIANGLE || emitter.kind == EMITTER_MESH_TRIANGLE) {
+        AreaPoint point = seen_triangle_point(world, emitter, from, u, mask, solid_angle);
+        s = area_sample(point, solid_angle, from);
     } else if (emitter.kind == EMITTER_MESH) {
-        s = area_sample(mesh_point(world, emitter, u, mask), from);
-    } else if (emitter.kind == EMITTER_MESH_TRIANGLE) {
-        s = area_sample(part_point(world, emitter, u, mask), from);
+        AreaPoint point = seen_mesh_point(world, emitter, from, u, mask, solid_angle);
+        s = area_sample(point, solid_angle, from);
     } else if (emitter.kind == EMITTER_PLACED) {
-        s = area_sample(placed_point(AT(world.placed, emitter.index), AT(world.objects, emitter.object).kind, emitter, u), from);
+        s = area_sample(placed_point(AT(world.placed, emitter.index), AT(world.objects, emitter.object).kind, emitter, u), solid_angle,
+                        from);
     } else if (emitter.kind == EMITTER_DIRECTIONAL) {
         s = far_sample(from, broadcast(-emitter.direction), Float(1.0f), yes);
     } else if (emitter.kind == EMITTER_ENVIRONMENT) {
@@ -128,7 +137,7 @@ FN EmitterSample emitter_sample(IN(WorldRecord) world, IN(EmitterRecord) emitter
     return s;
 }
 
-// With which a point of an emitting object that is not seen as a cone is drawn, per square metre; `part`: of a mesh.
+// With which a point of an emitting object is drawn, per square metre, where light begins; `part`: of a mesh.
 FN Float place_density(IN(WorldRecord) world, IN(EmitterRecord) emitter, IN(SurfacePoint) point, Int part, Mask mask) {
     Float density = Float(1.0f / emitter.area);
     if (emitter.kind == EMITTER_MESH) {
@@ -164,6 +173,9 @@ FN Float emitter_density(IN(WorldRecord) world, IN(EmitterRecord) emitter, Vec3 
             Float sin_2 = min(radius_2 / max(distance_2, Float(SMALLEST)), Float(1.0f));
             Float room = sin_2 / (Float(1.0f) + sqrt(Float(1.0f) - sin_2));
             density = select(distance_2 > radius_2 * Float(1.0001f), Float(0.5f / PI) / max(room, Float(SMALLEST)), density);
+        } else {
+            Float solid_angle = drawn_solid_angle(world, emitter, from, mask);
+            density = select(solid_angle > Float(0.0f), Float(1.0f) / max(solid_angle, Float(SMALLEST)), density);
         }
     }
     return density;

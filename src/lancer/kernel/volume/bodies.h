@@ -19,21 +19,54 @@ FN Int priority_of(IN(WorldRecord) world, Int material, Mask mask) {
     return priority;
 }
 
+// Which of the bodies stay in front of one that is put in, from the first on.
+struct InFront {
+    Mask first;
+    Mask second;
+    Mask third;
+    Mask fourth;
+};
+
+// The last one makes room.
+FN Media put_in(IN(Media) media, Int material, IN(InFront) front) {
+    Media m;
+    m.first = select(front.first, media.first, material);
+    m.second = select(front.first, select(front.second, media.second, material), media.first);
+    m.third = select(front.second, select(front.third, media.third, material), media.second);
+    m.fourth = select(front.third, select(front.fourth, media.fourth, material), media.third);
+    return m;
+}
+
 // In front of all whose priority is not higher [Schmidt and Budge 2002]; those that are not there have none.
 FN Media entered_in_order(IN(WorldRecord) world, IN(Media) media, Int material, Mask mask) {
     Media m = entered(media, material);
     if (world.has_priorities != 0) {
         Int own = priority_of(world, material, mask);
-        Mask below_first = is_above(priority_of(world, media.first, mask), own);
-        Mask below_second = both(below_first, is_above(priority_of(world, media.second, mask), own));
-        Mask below_third = both(below_second, is_above(priority_of(world, media.third, mask), own));
-        Mask below_fourth = both(below_third, is_above(priority_of(world, media.fourth, mask), own));
-        m.first = select(below_first, media.first, m.first);
-        m.second = select(below_first, select(below_second, media.second, material), m.second);
-        m.third = select(below_second, select(below_third, media.third, material), m.third);
-        m.fourth = select(below_third, select(below_fourth, media.fourth, material), m.fourth);
+        InFront front;
+        front.first = is_above(priority_of(world, media.first, mask), own);
+        front.second = both(front.first, is_above(priority_of(world, media.second, mask), own));
+        front.third = both(front.second, is_above(priority_of(world, media.third, mask), own));
+        front.fourth = both(front.third, is_above(priority_of(world, media.fourth, mask), own));
+        m = put_in(media, material, front);
     }
     return m;
+}
+
+// Behind all whose priority is not lower: a body that was entered before them.
+FN Media entered_before(IN(WorldRecord) world, IN(Media) media, Int material, Mask mask) {
+    InFront front;
+    front.first = is_above(media.first, Int(-1));
+    front.second = is_above(media.second, Int(-1));
+    front.third = is_above(media.third, Int(-1));
+    front.fourth = is_above(media.fourth, Int(-1));
+    if (world.has_priorities != 0) {
+        Int own = priority_of(world, material, mask);
+        front.first = without(front.first, is_above(own, priority_of(world, media.first, mask)));
+        front.second = without(both(front.first, front.second), is_above(own, priority_of(world, media.second, mask)));
+        front.third = without(both(front.second, front.third), is_above(own, priority_of(world, media.third, mask)));
+        front.fourth = without(both(front.third, front.fourth), is_above(own, priority_of(world, media.fourth, mask)));
+    }
+    return select_media(mask, put_in(media, material, front), media);
 }
 
 FN Media crossed(IN(WorldRecord) world, IN(Media) media, Int material, Mask inside, Mask mask) {
