@@ -111,7 +111,7 @@ def weight(strength, w, sine, t):
 times = [SECONDS * i / KEYS for i in range(KEYS + 1)]
 values = []  # the slope that comes, the value, the slope that goes
 for t in times:
-    at = [weight(*each, t) for each in weights]
+    at = [weight(*each, t % SECONDS) for each in weights]  # the end is the beginning, to the last bit
     values += [slope for _, slope in at] + [value for value, _ in at] + [slope for _, slope in at]
 primitive = {"attributes": {"POSITION": accessor("VEC3", FLOAT, places, 34962), "NORMAL": accessor("VEC3", BYTE, normals, 34962, 127)},
              "indices": accessor("SCALAR", UNSIGNED_SHORT, [(i,) for t in triangles for i in t], 34963), "targets": targets, "material": 0}
