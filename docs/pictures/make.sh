@@ -118,10 +118,18 @@ picture ring gallery/ring "${small[@]}" --spp 256
 picture diamond-fire gallery/diamond-fire "${small[@]}" --spp 144
 picture pool gallery/pool "${small[@]}" --spp 96
 picture wine-glass gallery/wine-glass --size 400x400 --spp 128
-# About the same seconds on one machine.
-picture same-seconds-path features/both-ends --integrator path --size 400x300 --spp 96
-picture same-seconds-bdpt features/both-ends --integrator bdpt --size 400x300 --spp 24
-picture same-seconds-vcm features/both-ends --integrator vcm --size 400x300 --spp 18
+# same_seconds SCENE [OPTION...]: what each integrator makes of 16 seconds of processor, SCENE-INTEGRATOR.png, and a table of errors against a reference
+# that takes minutes.
+same_seconds() {
+    local scene=$1
+    shift
+    [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " == *" $scene "* ]] || return 0
+    LANCER=$lancer benchmarks/integrators.py "scenes/features/$scene.toml" --seconds 16 --reference 260 --integrators path,light,bdpt,vcm \
+        --pictures docs/pictures "$@"
+}
+same_seconds both-ends --sds
+same_seconds fog-beam
+same_seconds caustic-in-mirror --sds
 # film NAME SCENE FRAMES COLUMNSxROWS [OPTION...]: frames of an animation, side by side
 film() {
     [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " == *" $1 "* ]] || return 0
@@ -133,3 +141,4 @@ film() {
     rm -r "$folder"
 }
 film carousel gltf/carousel.gltf 0:84:12 4x2 --size 240x135 --spp 192
+film pool-frames gallery/pool.toml 0:84:12 4x2 --size 240x135 --spp 96
