@@ -74,7 +74,7 @@ TEST(Integrator, DependsOnWhatStandsCloseToLampsWithoutSize) {
     EXPECT_EQ(choose_integrator(scene).name, "bdpt");
     scene.objects[0] = ball({0.0, -2.0, 0.0}, 1.0, 0);
     EXPECT_EQ(choose_integrator(scene).name, "path");
-    scene.objects.push_back({"wall", Plane{{0.0, 0.0, -0.1}, {0.0, 0.0, 1.0}}, 0, glm::dmat4(1.0), {}});
+    scene.objects.push_back({"wall", Plane{{0.0, 0.0, -0.05}, {0.0, 0.0, 1.0}}, 0, glm::dmat4(1.0), {}});
     EXPECT_EQ(choose_integrator(scene).name, "bdpt");
     scene.objects[0].material = 0;
     scene.materials[0].open_behind = true;
@@ -82,7 +82,7 @@ TEST(Integrator, DependsOnWhatStandsCloseToLampsWithoutSize) {
     scene.materials[0].open_behind = false;
     scene.objects.back() = {"room", Box{{-3.0, -3.0, -3.0}, {3.0, 3.0, 6.0}}, 0, glm::dmat4(1.0), {}};
     EXPECT_EQ(choose_integrator(scene).name, "path");
-    scene.objects.back() = {"wall", Plane{{0.0, 0.0, -0.1}, {0.0, 0.0, 1.0}}, 0, glm::dmat4(1.0), {}};
+    scene.objects.back() = {"wall", Plane{{0.0, 0.0, -0.05}, {0.0, 0.0, 1.0}}, 0, glm::dmat4(1.0), {}};
     scene.lights[0].model = DirectionalLight{};
     EXPECT_EQ(choose_integrator(scene).name, "path");
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr double shiny = 0.15;  // roughness
 
 // What stands so close to a lamp without size, in parts of the distance of the camera from it, is a bright spot that paths hardly ever find.
-constexpr double close = 0.05;
+constexpr double close = 0.015;
 
 // With more bounces in media than these, what joints cost grows as their square.
 constexpr int most_joined = 32;
