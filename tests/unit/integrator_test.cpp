@@ -60,6 +60,7 @@ TEST(Integrator, DependsOnHowSmallLampsAre) {
     placed.placements.push_back({0, glm::dmat4(1.0), std::nullopt, {}});
     EXPECT_EQ(choose_integrator(placed).name, "vcm");
     placed.placements[0].to_parent = glm::dmat4(glm::dmat3(30.0));
+    placed.placements[0].to_parent[3] = glm::dvec4(-87.0, -87.0, 0.0, 1.0);  // where it was, but larger
     EXPECT_EQ(choose_integrator(placed).name, "path");
     Scene matt = scene;
     matt.objects[0].material = 0;
