@@ -38,7 +38,9 @@ TEST(Integrator, IsChosenByWhatTheSceneHas) {
     EXPECT_EQ(choose_integrator(rough).name, "path");
 }
 
-Object ball(const glm::dvec3& center, double radius, int material) { return {"ball", Sphere{center, radius}, material, glm::dmat4(1.0), {}}; }
+Object ball(const glm::dvec3& center, double radius, int material) {
+    return {"ball", Sphere{center, radius}, material, glm::dmat4(1.0), {}};
+}
 
 TEST(Integrator, DependsOnHowSmallLampsAre) {
     Scene scene = physical(true, false);

@@ -77,15 +77,17 @@ IntegratorChoice suit(const Scene& scene) {
                                     [](const Material& material) { return std::visit(ThrowsLight{}, material.model); });
     if (!throws) {
         return nearest_to_lamp(scene) < close
-                   ? unless_it_cant(scene, "bdpt", "what stands close to a lamp without size lights the rest, and paths from the camera hardly meet it")
+                   ? unless_it_cant(scene, "bdpt",
+                                    "what stands close to a lamp without size lights the rest, and paths from the camera hardly meet it")
                    : IntegratorChoice{"path", "no glass or mirror throws light on other surfaces"};
     }
     if (scene.lights.empty() && !has_small_lamps_only(scene)) {
         return {"path", "its lamps can be met by chance"};
     }
     return unless_it_cant(scene, "vcm",
-                          scene.lights.empty() ? "glass or mirrors throw the light of small lamps, which paths from the camera alone hardly ever find"
-                                               : "glass or mirrors throw the light of lights without size, which paths from the camera alone never find");
+                          scene.lights.empty()
+                              ? "glass or mirrors throw the light of small lamps, which paths from the camera alone hardly ever find"
+                              : "glass or mirrors throw the light of lights without size, which paths from the camera alone never find");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace lancer::scene {
 
 namespace {
 
-constexpr double small = 0.02;  // of the scene's size
+constexpr double small = 0.03;  // of the scene's size
 
 // Scenes of more parts are not looked through: whoever has so many waits for other things, but not for this.
 constexpr int most_parts = 100'000;
@@ -26,7 +26,10 @@ constexpr std::size_t most_triangles = 100'000;
 
 double diagonal(const Bounds& box) { return box.empty() ? 0.0 : glm::length(box.high - box.low); }
 
-double brightness(const Color& color) { return color.spectrum ? color.spectrum->scale * color.spectrum->luminance.value_or(1.0) : (color.rgb.r + color.rgb.g + color.rgb.b) / 3.0; }
+double brightness(const Color& color) {
+    return color.spectrum ? color.spectrum->scale * color.spectrum->luminance.value_or(1.0)
+                          : (color.rgb.r + color.rgb.g + color.rgb.b) / 3.0;
+}
 
 double brightness(const Emission& emission) {
     const Color* color = std::get_if<Color>(&emission.radiance);
