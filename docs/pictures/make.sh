@@ -55,9 +55,11 @@ done
 for scene in metals clear-bodies plastics principled facets burley depth-of-field lamps many-lights sky fog-overlap; do
     picture "$scene" "features/$scene" "${small[@]}" --spp 512
 done
-for scene in fog-balls goniometric light-ies projector; do
+for scene in fog-balls light-ies; do
     picture "$scene" "features/$scene" "${small[@]}" --spp 1024
 done
+picture goniometric features/goniometric "${small[@]}" --integrator bdpt --spp 48
+picture projector features/projector "${small[@]}" --integrator bdpt --spp 64
 picture fog-cloud features/fog-cloud "${small[@]}" --spp 512
 picture fog-flame features/fog-flame --size 480x480 --spp 1024
 picture metamers features/metamers --size 960x400
@@ -113,15 +115,23 @@ for scene in goblets flacon; do
 done
 
 # Light from the lamps
-picture prism-rainbow gallery/prism "${small[@]}" --spp 256
+picture prism-rainbow gallery/prism "${small[@]}" --spp 144
 picture ring gallery/ring "${small[@]}" --spp 256
 picture diamond-fire gallery/diamond-fire "${small[@]}" --spp 144
-picture pool gallery/pool "${small[@]}" --spp 96
+picture pool gallery/pool "${small[@]}" --spp 64
 picture wine-glass gallery/wine-glass --size 400x400 --spp 128
-# About the same seconds on one machine.
-picture same-seconds-path features/both-ends --integrator path --size 400x300 --spp 96
-picture same-seconds-bdpt features/both-ends --integrator bdpt --size 400x300 --spp 24
-picture same-seconds-vcm features/both-ends --integrator vcm --size 400x300 --spp 18
+# same_seconds SCENE [OPTION...]: what each integrator makes of 16 seconds of processor, SCENE-INTEGRATOR.png, and a table of errors against a reference
+# that takes minutes.
+same_seconds() {
+    local scene=$1
+    shift
+    [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " == *" $scene "* ]] || return 0
+    LANCER=$lancer benchmarks/integrators.py "scenes/features/$scene.toml" --seconds 16 --reference 260 --integrators path,light,bdpt,vcm \
+        --pictures docs/pictures "$@"
+}
+same_seconds both-ends --sds
+same_seconds fog-beam
+same_seconds caustic-in-mirror --sds
 # film NAME SCENE FRAMES COLUMNSxROWS [OPTION...]: frames of an animation, side by side
 film() {
     [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " == *" $1 "* ]] || return 0
@@ -133,3 +143,4 @@ film() {
     rm -r "$folder"
 }
 film carousel gltf/carousel.gltf 0:84:12 4x2 --size 240x135 --spp 192
+film pool-frames gallery/pool.toml 0:36:12 2x2 --size 320x180 --spp 32

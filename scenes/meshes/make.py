@@ -8,7 +8,6 @@
     goblet.ply, wine.ply  a wine glass of height 2.2, and what is in it: wine that reaches a little into the glass; binary, with normals
     still-life.obj   a table with a bowl, fruit, a mirror and a vase, with the materials of still-life.mtl
     ring.ply         a finger ring: outer radius 1, height 0.36; binary, with normals
-    water.ply        the top of a pool of 4 x 4, waves of six directions; binary, with normals
     pawn.ply, queen.ply, bishop.ply, king.ply, rook.ply   turned chessmen; binary, with normals
 """
 import math
@@ -251,26 +250,6 @@ def ring():
     write_ply("ring.ply", positions, normals, triangles, True)
 
 
-def water(side=120, half=2.02, time=0.7):
-    # Deep water: waves of wavelength l run with the square root of g l / 2 pi.
-    waves = []
-    for length, turn, height in ((1.3, 0.3, 0.016), (0.9, 1.9, 0.011), (0.62, 4.1, 0.0075), (0.47, 5.3, 0.0055), (0.34, 0.9, 0.0035), (0.26, 2.8, 0.0024)):
-        k = 2 * math.pi / length
-        waves.append((k * math.cos(turn), k * math.sin(turn), math.sqrt(9.81 * k), height))
-    positions, normals, triangles = [], [], []
-    for i in range(side + 1):
-        for j in range(side + 1):
-            x, z = half * (2 * i / side - 1), half * (2 * j / side - 1)
-            phases = [(a * x + b * z - w * time, a, b, h) for a, b, w, h in waves]
-            positions.append([x, sum(h * math.sin(p) for p, _, _, h in phases), z])
-            normals.append(unit([-sum(h * a * math.cos(p) for p, a, _, h in phases), 1.0, -sum(h * b * math.cos(p) for p, _, b, h in phases)]))
-    for i in range(side):
-        for j in range(side):
-            a = i * (side + 1) + j
-            triangles += [(a, a + 1, a + side + 1), (a + 1, a + side + 2, a + side + 1)]
-    write_ply("water.ply", positions, normals, triangles, True)
-
-
 FOOT = [[0, 0], [0.40, 0], [0.40, 0], [0.42, 0.05], [0.41, 0.12], [0.36, 0.17], [0.36, 0.17], [0.37, 0.21], [0.33, 0.27]]
 
 
@@ -395,6 +374,5 @@ if __name__ == "__main__":
     vase()
     goblet()
     ring()
-    water()
     chessmen()
     still_life()

@@ -8,6 +8,7 @@
     sky.hdr     an afternoon: a low sun and soft clouds over a plain, as radiance all around
     leaf.png    a leaf; what is not leaf has alpha 0
     studs.png   normals of round studs in a plate: red to the right, green upwards, blue outwards; numbers, no colours
+    slit.png    a white strip: what a projector throws through a slit
     scratches.png   streaks along u, white where a surface is worn; numbers, no colours
 """
 import colorsys
@@ -260,6 +261,11 @@ def scratches():
     write_png("scratches.png", width, height, color)
 
 
+def slit():
+    """White; a projector's picture, narrow and high."""
+    write_png("slit.png", 1, 24, lambda x, y: (1.0, 1.0, 1.0))
+
+
 if __name__ == "__main__":
     grid()
     tiles()
@@ -269,3 +275,4 @@ if __name__ == "__main__":
     leaf()
     studs()
     scratches()
+    slit()

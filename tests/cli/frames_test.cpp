@@ -49,6 +49,16 @@ TEST_F(Frames, AreThePicturesOfTheirMoments) {
     EXPECT_FALSE(folder.read("f.008.exr") == folder.read("f.014.exr"));
 }
 
+// The water of a scene in TOML comes from a glTF file, and begins again after four seconds.
+TEST_F(Frames, MoveWhatIsIncluded) {
+    const std::string pool = scene_file("gallery/pool.toml");
+    const Finished finished = run_lancer(folder, {"render", pool, "--size", "48x27", "--spp", "1", "--integrator", "path", "--frames",
+                                                  "0:8:4", "--fps", "2", "-o", "f.#.exr"});
+    ASSERT_EQ(finished.status, 0) << finished.err;
+    EXPECT_EQ(run_lancer(folder, {"compare", "--exact", "f.0.exr", "f.8.exr"}).status, 0);
+    EXPECT_EQ(run_lancer(folder, {"compare", "--exact", "f.0.exr", "f.4.exr"}).status, 1);
+}
+
 TEST_F(Frames, ThatAreDoneAreLeftAlone) {
     const Words words = {"--frames", "0:3", "-o", "f.#.exr", "-o", "f.#.png", "-o", "f.#.jpg", "-o", "f.#.hdr", "-o", "f.#.tif"};
     ASSERT_EQ(render(words).status, 0);

@@ -168,6 +168,7 @@ file = "a.xml"
     ASSERT_TRUE(reading.scene) << reading.all();
     EXPECT_EQ(reading.scene->placements.size(), 5u);
     EXPECT_EQ(reading.scene->lights.size(), 2u);
+    EXPECT_EQ(reading.scene->settings.integrator, "auto");  // glTF, the first, says nothing of it
     EXPECT_TRUE(
         std::any_of(reading.scene->materials.begin(), reading.scene->materials.end(), [](const auto& m) { return m.name == "red"; }));
 }

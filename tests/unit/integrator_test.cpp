@@ -38,6 +38,58 @@ TEST(Integrator, IsChosenByWhatTheSceneHas) {
     EXPECT_EQ(choose_integrator(rough).name, "path");
 }
 
+Object ball(const glm::dvec3& center, double radius, int material) {
+    return {"ball", Sphere{center, radius}, material, glm::dmat4(1.0), {}};
+}
+
+TEST(Integrator, DependsOnHowSmallLampsAre) {
+    Scene scene = physical(true, false);
+    Material lamp;
+    lamp.model = DiffuseMaterial{};
+    lamp.emission = Emission{Color(1.0, 1.0, 1.0), 5000.0};
+    scene.materials.push_back(lamp);
+    scene.objects = {ball({0.0, 0.0, 0.0}, 1.0, 1), ball({3.0, 3.0, 0.0}, 0.02, 2)};
+    EXPECT_EQ(choose_integrator(scene).name, "vcm");
+    Scene wide = scene;
+    wide.objects[1] = ball({3.0, 3.0, 0.0}, 0.5, 2);
+    EXPECT_EQ(choose_integrator(wide).name, "path");
+    Scene pale = scene;  // what is around it gives more
+    pale.materials[2].emission->strength = 50.0;
+    EXPECT_EQ(choose_integrator(pale).name, "path");
+    Scene placed = scene;
+    placed.groups.push_back({"lamps", {scene.objects[1]}, {}});
+    placed.objects.pop_back();
+    placed.placements.push_back({0, glm::dmat4(1.0), std::nullopt, {}});
+    EXPECT_EQ(choose_integrator(placed).name, "vcm");
+    placed.placements[0].to_parent = glm::dmat4(glm::dmat3(30.0));
+    placed.placements[0].to_parent[3] = glm::dvec4(-87.0, -87.0, 0.0, 1.0);  // where it was, but larger
+    EXPECT_EQ(choose_integrator(placed).name, "path");
+    Scene matt = scene;
+    matt.objects[0].material = 0;
+    matt.materials[1].model = DiffuseMaterial{};
+    EXPECT_EQ(choose_integrator(matt).name, "path");
+}
+
+TEST(Integrator, DependsOnWhatStandsCloseToLampsWithoutSize) {
+    Scene scene = physical(false, true);
+    scene.cameras[0].position = {0.0, 0.0, 5.0};
+    scene.objects = {ball({0.0, -1.05, 0.0}, 1.0, 0)};
+    EXPECT_EQ(choose_integrator(scene).name, "bdpt");
+    scene.objects[0] = ball({0.0, -2.0, 0.0}, 1.0, 0);
+    EXPECT_EQ(choose_integrator(scene).name, "path");
+    scene.objects.push_back({"wall", Plane{{0.0, 0.0, -0.05}, {0.0, 0.0, 1.0}}, 0, glm::dmat4(1.0), {}});
+    EXPECT_EQ(choose_integrator(scene).name, "bdpt");
+    scene.objects[0].material = 0;
+    scene.materials[0].open_behind = true;
+    EXPECT_EQ(choose_integrator(scene).name, "path");
+    scene.materials[0].open_behind = false;
+    scene.objects.back() = {"room", Box{{-3.0, -3.0, -3.0}, {3.0, 3.0, 6.0}}, 0, glm::dmat4(1.0), {}};
+    EXPECT_EQ(choose_integrator(scene).name, "path");
+    scene.objects.back() = {"wall", Plane{{0.0, 0.0, -0.05}, {0.0, 0.0, 1.0}}, 0, glm::dmat4(1.0), {}};
+    scene.lights[0].model = DirectionalLight{};
+    EXPECT_EQ(choose_integrator(scene).name, "path");
+}
+
 TEST(Integrator, ThatIsAskedForIsTaken) {
     Scene scene = physical(true, true);
     scene.settings.integrator = "light";

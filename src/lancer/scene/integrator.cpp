@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <variant>
 
+#include "lancer/scene/lamps.h"
+
 namespace lancer::scene {
 
 namespace {
 
 // Facets that spread light less than this throw patterns of light that paths from the camera hardly ever find.
 constexpr double shiny = 0.15;  // roughness
+
+// What stands so close to a lamp without size, in parts of the distance of the camera from it, is a bright spot that paths hardly ever find.
+constexpr double close = 0.015;
 
 // With more bounces in media than these, what joints cost grows as their square.
 constexpr int most_joined = 32;
@@ -50,6 +55,20 @@ bool has_sky(const Scene& scene) {
     return b.image.has_value() || is_bright(b.zenith) || is_bright(b.horizon) || is_bright(b.nadir);
 }
 
+// `path` where what suits better can't render the scene.
+IntegratorChoice unless_it_cant(const Scene& scene, const std::string& name, const std::string& why) {
+    if (!scene.media.empty() && scene.settings.bounces.value_or(0) > most_joined) {
+        return {"path", "of paths that media scatter so often, joining each vertex with each other costs more than it brings"};
+    }
+    if (const std::vector<Obstacle> against = obstacles(scene, name); !against.empty()) {
+        return {"path", name + ", which would suit it better, can't: " + against.front().what};
+    }
+    if (const std::string lacks = lacking(scene, name); !lacks.empty()) {
+        return {"path", name + ", which would suit it better, does not make " + lacks};
+    }
+    return {name, why};
+}
+
 IntegratorChoice suit(const Scene& scene) {
     if (!is_physical_scene(scene)) {
         return {"whitted", "nothing in the scene follows physics"};
@@ -57,22 +76,18 @@ IntegratorChoice suit(const Scene& scene) {
     const bool throws = std::any_of(scene.materials.begin(), scene.materials.end(),
                                     [](const Material& material) { return std::visit(ThrowsLight{}, material.model); });
     if (!throws) {
-        return {"path", "no glass or mirror throws light on other surfaces"};
+        return nearest_to_lamp(scene) < close
+                   ? unless_it_cant(scene, "bdpt",
+                                    "what stands close to a lamp without size lights the rest, and paths from the camera hardly meet it")
+                   : IntegratorChoice{"path", "no glass or mirror throws light on other surfaces"};
     }
-    if (scene.lights.empty()) {
+    if (scene.lights.empty() && !has_small_lamps_only(scene)) {
         return {"path", "its lamps can be met by chance"};
     }
-    if (!scene.media.empty() && scene.settings.bounces.value_or(0) > most_joined) {
-        return {"path", "of paths that media scatter so often, joining each vertex with each other costs more than it brings"};
-    }
-    const std::vector<Obstacle> against = obstacles(scene, "vcm");
-    if (!against.empty()) {
-        return {"path", "vcm, which would find the light that glass and mirrors throw, can't: " + against.front().what};
-    }
-    if (const std::string lacks = lacking(scene, "vcm"); !lacks.empty()) {
-        return {"path", "vcm, which would find the light that glass and mirrors throw, does not make " + lacks};
-    }
-    return {"vcm", "glass or mirrors throw the light of lights without size, which paths from the camera alone never find"};
+    return unless_it_cant(scene, "vcm",
+                          scene.lights.empty()
+                              ? "glass or mirrors throw the light of small lamps, which paths from the camera alone hardly ever find"
+                              : "glass or mirrors throw the light of lights without size, which paths from the camera alone never find");
 }
 
 }  // namespace

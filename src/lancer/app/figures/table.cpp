@@ -143,7 +143,9 @@ std::vector<FigureGroup> make_table() {
           physical_gallery("diamond-fire", "Each way through a brilliant ends as a small spectrum.", small_and_quick),
           physical_gallery("pool", "The bottom of a pool in the sun.", {"--size", "480x270", "--spp", "16"}),
           physical_gallery("wine-glass", "What a glass of wine throws on the table.", {"--size", "360x360", "--spp", "16"}),
-          physical("both-ends", "A lamp in a shade, and one whose light goes through a glass ball.")}},
+          physical("both-ends", "A lamp in a shade, and one whose light goes through a glass ball."),
+          physical("fog-beam", "Light that a ball of glass gathers in haze."),
+          physical("caustic-in-mirror", "Light that a ring and a ball gather, and a mirror that shows it.")}},
     };
 }
 

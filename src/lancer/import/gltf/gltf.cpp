@@ -15,7 +15,9 @@ void read_gltf(ImportContext& context, scene::Scene& scene) {
 }
 
 void read_gltf(FileBytes bytes, ImportContext& context, scene::Scene& scene) {
-    scene.settings.integrator = "path";
+    if (!context.options.is_part) {
+        scene.settings.integrator = "path";  // a file says nothing of that; where it is a part the whole does
+    }
     gltf::Document document(context.path, context.diagnostics, context.report);
     if (!document.load(std::move(bytes))) {
         return;
