@@ -173,9 +173,28 @@ FN SurfacePoint without_patch(IN(SurfacePoint) point) {
     return s;
 }
 
+// Colours of one smooth spectrum each: they are looked up when those of all lanes are known.
+struct PlainColors {
+    Vec3 coefficients;
+    Float scale;
+    Mask here;
+};
+
+FN PlainColors no_plain_colors() {
+    PlainColors p;
+    p.coefficients = vec3_all(Float(0.0f));
+    p.scale = Float(0.0f);
+    p.here = nowhere();
+    return p;
+}
+
+FN bool is_plain(IN(WorldRecord) world, IN(ColorRecord) color) {
+    return world.spectral != 0 && color.texture < 0 && color.curve < 0 && color.illuminant < 0;
+}
+
 // What the lanes of `mine` find of one material at their points.
 FN void take_material(IN(WorldRecord) world, IN(MaterialRecord) material, IN(SurfacePoint) s, Vec3 direction, Mask inside, Vec4 nanometres,
-                      Mask mine, INOUT(PathVertex) vertex) {
+                      Mask mine, INOUT(PathVertex) vertex, INOUT(PlainColors) plain) {
     if (material.kind == BSDF_DIFFUSE && material.input_count == 0 && (material.flags & MATERIAL_BLENDS) == 0) {
         // The most frequent one, and it has nothing but a colour.
         Mask shown = mine;
@@ -183,7 +202,13 @@ FN void take_material(IN(WorldRecord) world, IN(MaterialRecord) material, IN(Sur
             shown = without(mine, inside);
         }
         vertex.closure.kind = select(shown, Int(BSDF_DIFFUSE), vertex.closure.kind);
-        vertex.closure.color = select(mine, color_value(world, material.color, s, nanometres, mine), vertex.closure.color);
+        if (is_plain(world, material.color)) {
+            plain.coefficients = select(mine, broadcast(material.color.coefficients), plain.coefficients);
+            plain.scale = select(mine, Float(material.color.scale), plain.scale);
+            plain.here = either(plain.here, mine);
+        } else {
+            vertex.closure.color = select(mine, color_value(world, material.color, s, nanometres, mine), vertex.closure.color);
+        }
     } else {
         Closure c = material_closure(world, material, s, nanometres, mine);
         if ((material.flags & MATERIAL_ONE_SIDED) != 0) {
@@ -239,6 +264,7 @@ FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Float width
     if (some(on_triangle)) {
         gather_object(world, hit.object, on_triangle, instance, emitters);
     }
+    PlainColors plain = no_plain_colors();
     Mask todo = here;
     while (some(todo)) {
         int number = first_of(hit.object, todo);
@@ -277,13 +303,16 @@ FN void find_vertex(IN(WorldRecord) world, IN(Ray) ray, IN(Hit) hit, Float width
             while (some(waiting)) {
                 int which = first_of(chosen, waiting);
                 Mask these = both(waiting, is_equal(chosen, Int(which)));
-                take_material(world, AT(world.surfaces, which), s, ray.direction, inside, nanometres, these, vertex);
+                take_material(world, AT(world.surfaces, which), s, ray.direction, inside, nanometres, these, vertex, plain);
                 waiting = without(waiting, these);
             }
         } else {
-            take_material(world, material, s, ray.direction, inside, nanometres, mine, vertex);
+            take_material(world, material, s, ray.direction, inside, nanometres, mine, vertex, plain);
         }
         todo = without(todo, mine);
+    }
+    if (some(plain.here)) {
+        vertex.closure.color = select(plain.here, smooth_spectrum(plain.coefficients, nanometres) * plain.scale, vertex.closure.color);
     }
 }
 
