@@ -105,7 +105,7 @@ std::vector<std::size_t> TileErrors::wanting() const {
     const bool reached = known_ >= wanted_;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         const Cell& cell = cells_[i];
-        const bool goes_on = end_ > 0.0 ? cell.level * samples_of_level < end_ : !reached;
+        const bool goes_on = end_ > 0.0 ? cell.level * samples_of_level < (reached ? 0.5 : 1.0) * end_ : !reached;
         if (cell.level < last_level_ && (cell.level < first_decision || (goes_on && cell.need > allowed(cell.level)))) {
             cells.push_back(i);
         }
