@@ -20,32 +20,41 @@ double chance(std::uint64_t x) {
 constexpr int side = 64;
 constexpr double floor_of_test = 0.05;
 
-// Left to right: no noise, even noise, rare bright samples, and a tail without a variance. Brighter from top to bottom.
-class NoisyDevice : public Device {
+// Grey samples that depend on pixel and number alone.
+class MadeUpDevice : public Device {
 public:
-    explicit NoisyDevice(std::uint64_t seed) : seed_(seed) {}
     int lanes() const override { return 8; }
-    std::string description() const override { return "noise"; }
+    std::string description() const override { return "made up"; }
     void follow(std::span<const glm::vec2>, std::span<glm::vec3>, RayCounts&) const override {}
     void trace_paths(const PathRange& range, const PathSamples& samples, RayCounts& counts) const override {
         std::size_t next = 0;
         for (int y = range.y0; y < range.y1; ++y) {
             for (int x = range.x0; x < range.x1; ++x) {
-                for (int i = 0; i < range.sample_count; ++i) {
-                    const std::uint64_t number = static_cast<std::uint64_t>(range.first_sample + i);
-                    const std::uint64_t pixel = static_cast<std::uint64_t>(y * side + x);
-                    const double u = chance(seed_ << 48 | pixel << 32 | number);
-                    samples.radiance[next++] = glm::vec3(static_cast<float>(truth(y) * relative(x, u)));
+                for (int i = range.first_sample; i < range.first_sample + range.sample_count; ++i) {
+                    samples.radiance[next++] = glm::vec3(static_cast<float>(light(x, y, i)));
                 }
             }
         }
         counts.camera += range.paths();
     }
 
+protected:
+    virtual double light(int x, int y, int number) const = 0;
+    static double chance_of(std::uint64_t seed, int x, int y, int number) {
+        return chance(seed << 48 | static_cast<std::uint64_t>(y * side + x) << 32 | static_cast<std::uint64_t>(number));
+    }
+};
+
+// Left to right: no noise, even noise, rare bright samples, and a tail without a variance. Brighter from top to bottom.
+class NoisyDevice : public MadeUpDevice {
+public:
+    explicit NoisyDevice(std::uint64_t seed) : seed_(seed) {}
+
     static double truth(int y) { return 0.5 + y; }
     static int band(int x) { return x * 4 / side; }
 
 private:
+    double light(int x, int y, int number) const override { return truth(y) * relative(x, chance_of(seed_, x, y, number)); }
     static double relative(int x, double u) {
         switch (band(x)) {
             case 0:
@@ -137,26 +146,11 @@ TEST(Interval, RunsAreSixteenOrMoreOfOneLength) {
 }
 
 // One sample in 3000 is very bright and brings a fifth of the light: of 64 samples a pixel most meet none of these, and alone are sure of the rest.
-class RareLight : public Device {
-public:
-    explicit RareLight(std::uint64_t seed) : seed_(seed) {}
-    int lanes() const override { return 8; }
-    std::string description() const override { return "rare light"; }
-    void follow(std::span<const glm::vec2>, std::span<glm::vec3>, RayCounts&) const override {}
-    void trace_paths(const PathRange& range, const PathSamples& samples, RayCounts&) const override {
-        std::size_t next = 0;
-        for (int y = range.y0; y < range.y1; ++y) {
-            for (int x = range.x0; x < range.x1; ++x) {
-                for (int i = range.first_sample; i < range.first_sample + range.sample_count; ++i) {
-                    const double u = chance(seed_ << 48 | static_cast<std::uint64_t>(y * side + x) << 32 | static_cast<std::uint64_t>(i));
-                    samples.radiance[next++] = glm::vec3(static_cast<float>(u < 1.0 / 3000.0 ? 750.0 : 0.5 + u));
-                }
-            }
-        }
+class RareLight : public MadeUpDevice {
+    double light(int x, int y, int number) const override {
+        const double u = chance_of(1, x, y, number);
+        return u < 1.0 / 3000.0 ? 750.0 : 0.5 + u;
     }
-
-private:
-    std::uint64_t seed_;
 };
 
 TEST(Interval, NobodyIsSurerThanThoseAround) {
@@ -165,7 +159,7 @@ TEST(Interval, NobodyIsSurerThanThoseAround) {
     Film film(side, side);
     FilmSums sums(side, side, Rendered::layers());
     FilmState state(film, &sums, tile_size_for(options));
-    render(RareLight(1), options, state);
+    render(RareLight(), options, state);
     const IntervalRule rule(0.95, floor_of_test);
     int inside = 0, inside_alone = 0, pixels = 0;
     for (const Tile& block : state.tiles()) {
@@ -211,23 +205,11 @@ TEST(ErrorGoal, IsReachedWhereItCanBeAndSamplesGoWhereTheErrorIs) {
 }
 
 // One tile of four is a hundred times as hard as the others: the relative variances are 33 and 1/3.
-class HardTile : public Device {
-public:
-    int lanes() const override { return 8; }
-    std::string description() const override { return "hard tile"; }
-    void follow(std::span<const glm::vec2>, std::span<glm::vec3>, RayCounts&) const override {}
-    void trace_paths(const PathRange& range, const PathSamples& samples, RayCounts& counts) const override {
-        std::size_t next = 0;
-        for (int y = range.y0; y < range.y1; ++y) {
-            for (int x = range.x0; x < range.x1; ++x) {
-                for (int i = range.first_sample; i < range.first_sample + range.sample_count; ++i) {
-                    const double u = chance(static_cast<std::uint64_t>(y * side + x) << 32 | static_cast<std::uint64_t>(i));
-                    const bool hard = 2 * x >= side && 2 * y >= side;
-                    samples.radiance[next++] = glm::vec3(static_cast<float>(!hard ? 2.0 * u : u < 1.0 / 34.0 ? 34.0 : 0.0));
-                }
-            }
-        }
-        counts.camera += range.paths();
+class HardTile : public MadeUpDevice {
+    double light(int x, int y, int number) const override {
+        const double u = chance_of(0, x, y, number);
+        const bool hard = 2 * x >= side && 2 * y >= side;
+        return !hard ? 2.0 * u : u < 1.0 / 34.0 ? 34.0 : 0.0;
     }
 };
 
