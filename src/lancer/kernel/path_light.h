@@ -94,15 +94,7 @@ FN void ask_emitter(IN(WorldRecord) world, int depth, IN(PathVertex) vertex, IN(
         discrete = either(discrete, both(good, s.discrete));
         // From just off this surface to just before the other.
         Vec3 start = leave_surface(vertex.point.position, vertex.point.error, normal, s.direction);
-        // A ray's own rounding puts it off its line by some units for each unit of length, and so the distance to a plane.
-        Vec3 end =
-            leave_surface(s.point.position, s.point.error + vec3_all(s.distance * Float(8.0f * ROUNDING)), s.point.normal, -s.direction);
-        Vec3 way = end - start;
-        Float reach = length(way);
-        Mask far = s.distance >= Float(FAR);
-        shadow.origin = select(good, start, shadow.origin);
-        shadow.direction = select(good, select(far, s.direction, way / max(reach, Float(SMALLEST))), shadow.direction);
-        shadow.reach = select(good, select(far, Float(FAR), reach), shadow.reach);
+        shadow = select_ray(good, ray_to_emitter(s, start), shadow);
         todo = without(todo, mine);
     }
     going = without(both(going, shadow.reach > Float(0.0f)), is_black(light));

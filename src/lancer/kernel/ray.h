@@ -53,6 +53,14 @@ struct UvAxes {
     Vec3 v;
 };
 
+FN Ray select_ray(Mask mask, IN(Ray) yes, IN(Ray) no) {
+    Ray ray;
+    ray.origin = select(mask, yes.origin, no.origin);
+    ray.direction = select(mask, yes.direction, no.direction);
+    ray.reach = select(mask, yes.reach, no.reach);
+    return ray;
+}
+
 FN SurfacePoint no_surface() {
     SurfacePoint s;
     s.position = vec3_all(Float(0.0f));
@@ -91,6 +99,12 @@ FN Vec3 leave_surface(Vec3 position, Vec3 error, Vec3 normal, Vec3 direction) {
     Vec3 bound = error + abs(position) * Float(2.0f * ROUNDING);
     Float distance = dot(abs(normal), bound);
     return position + normal * select(dot(normal, direction) < Float(0.0f), -distance, distance);
+}
+
+// Where a ray from afar ends: just before the surface. The ray's own rounding puts it off its line by some units for each unit of length, and so the
+// distance to a plane.
+FN Vec3 before_surface(Vec3 position, Vec3 error, Vec3 normal, Float distance, Vec3 back) {
+    return leave_surface(position, error + vec3_all(distance * Float(8.0f * ROUNDING)), normal, back);
 }
 
 FN Vec3 mirror(Vec3 v, Vec3 n) { return n * (Float(2.0f) * dot(v, n)) - v; }  // the report's R = 2 (V.N) N - V

@@ -69,11 +69,6 @@ FN Ray ray_between(IN(BidirVertex) v, Vec3 direction, Vec3 end) {
     return ray;
 }
 
-// Where a ray from afar ends: just before the surface, with room for the ray's own rounding.
-FN Vec3 before_surface(Vec3 position, Vec3 error, Vec3 normal, Float distance, Vec3 back) {
-    return leave_surface(position, error + vec3_all(distance * Float(8.0f * ROUNDING)), normal, back);
-}
-
 // What reaches the end of a ray between two vertices.
 struct Passing {
     Spectrum share;
@@ -150,11 +145,7 @@ FN_LARGE Spectrum join_emitter(IN(WorldRecord) world, int depth, IN(BidirVertex)
         Float ratio = back.place * back.direction * emission_chance(world, number, good) / max(s.density * slant, Float(SMALLEST));
         sent = select(good, ratio, sent);
         Vec3 start = leave_surface(v.position, v.error, v.normal, s.direction);
-        Vec3 way = before_surface(s.point.position, s.point.error, s.point.normal, s.distance, -s.direction) - start;
-        Float reach = length(way);
-        shadow.origin = select(good, start, shadow.origin);
-        shadow.direction = select(good, select(far, s.direction, way / max(reach, Float(SMALLEST))), shadow.direction);
-        shadow.reach = select(good, select(far, Float(FAR), reach), shadow.reach);
+        shadow = select_ray(good, ray_to_emitter(s, start), shadow);
         todo = without(todo, mine);
     }
     going = without(both(going, shadow.reach > Float(0.0f)), is_black(light));

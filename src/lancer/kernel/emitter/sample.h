@@ -137,6 +137,18 @@ FN EmitterSample emitter_sample(IN(WorldRecord) world, IN(EmitterRecord) emitter
     return s;
 }
 
+// From just off a surface, at `start`, to just before the emitter.
+FN Ray ray_to_emitter(IN(EmitterSample) s, Vec3 start) {
+    Vec3 way = before_surface(s.point.position, s.point.error, s.point.normal, s.distance, -s.direction) - start;
+    Float reach = length(way);
+    Mask far = s.distance >= Float(FAR);
+    Ray ray;
+    ray.origin = start;
+    ray.direction = select(far, s.direction, way / max(reach, Float(SMALLEST)));
+    ray.reach = select(far, Float(FAR), reach);
+    return ray;
+}
+
 // With which a point of an emitting object is drawn, per square metre, where light begins; `part`: of a mesh.
 FN Float place_density(IN(WorldRecord) world, IN(EmitterRecord) emitter, IN(SurfacePoint) point, Int part, Mask mask) {
     Float density = Float(1.0f / emitter.area);
